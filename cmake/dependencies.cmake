@@ -1,0 +1,28 @@
+# Every library that sundrape uses; docs/dependencies.md says why each.
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode ida arkode nvecserial)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+
+# SuiteSparse and UDUNITS ship no CMake package on Debian.
+function(sundrape_find_library target header header_dirs)
+  find_path(${target}_INCLUDE_DIR ${header} PATH_SUFFIXES ${header_dirs} REQUIRED)
+  set(files)
+  foreach(name IN LISTS ARGN)
+    find_library(${target}_${name}_LIBRARY ${name} REQUIRED)
+    list(APPEND files ${${target}_${name}_LIBRARY})
+  endforeach()
+  add_library(sundrape_${target} INTERFACE)
+  target_include_directories(sundrape_${target} SYSTEM INTERFACE $<BUILD_INTERFACE:${${target}_INCLUDE_DIR}>)
+  target_link_libraries(sundrape_${target} INTERFACE ${files})
+endfunction()
+
+sundrape_find_library(klu klu.h suitesparse klu)
+sundrape_find_library(udunits udunits2.h "" udunits2)
+if(SUNDRAPE_WITH_CHOLMOD)
+  sundrape_find_library(cholmod cholmod.h suitesparse cholmod)
+endif()

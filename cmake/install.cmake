@@ -1,0 +1,1 @@
+# Installation is described here; filled in with the package configuration.

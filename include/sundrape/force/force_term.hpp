@@ -1,0 +1,37 @@
+#pragma once
+#include <string_view>
+
+#include "sundrape/linalg/block_matrix.hpp"
+#include "sundrape/types.hpp"
+
+namespace sundrape {
+
+/// Under which heading of the energy balance a term's energy is reported.
+enum class EnergyKind { membrane, shear, bending, gravity, contact, load, none };
+
+/// One contribution to  M a = Σ f_k(q, v, t).
+///
+/// A term knows its energy, its force, the exact derivatives of its force and which points it couples. It knows
+/// nothing of time steps, and no solver knows what it models.
+class ForceTerm {
+ public:
+  virtual ~ForceTerm() = default;
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual EnergyKind kind() const = 0;
+
+  /// Stored energy [J]; 0 for a term that has none.
+  [[nodiscard]] virtual double energy(const State& state) const = 0;
+  /// Power that the term turns into heat [W], ≥ 0.
+  [[nodiscard]] virtual double dissipated_power(const State& /*state*/) const { return 0; }
+  /// Power that a term without an energy feeds in from outside [W] (follower loads).
+  [[nodiscard]] virtual double external_power(const State& /*state*/) const { return 0; }
+
+  /// f += this term's force [N]; f has the shape of q.
+  virtual void add_force(const State& state, VectorRef f) const = 0;
+  /// Adds dq · ∂f/∂q + dv · ∂f/∂v, element by element as declared.
+  virtual void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const = 0;
+  /// Declares the term's elements: one begin_term, then one add_element each.
+  virtual void declare_pattern(Pattern& pattern) const = 0;
+};
+
+}  // namespace sundrape

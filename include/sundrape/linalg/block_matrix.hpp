@@ -1,0 +1,90 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "sundrape/linalg/block_structure.hpp"
+#include "sundrape/types.hpp"
+
+namespace sundrape {
+
+enum class Symmetry { symmetric, unsymmetric };
+
+/// A 3n × 3n matrix of 3×3 blocks on a symmetric structure.
+///
+/// A symmetric matrix stores its lower triangle; an unsymmetric one also stores, beside each lower block (i, j), the
+/// upper block (j, i). Blocks are column-major, 9 doubles each; one scratch block follows the last.
+class BlockMatrix {
+ public:
+  BlockMatrix(const BlockStructure& structure, Symmetry symmetry);   // keeps a reference to the structure
+
+  [[nodiscard]] const BlockStructure& structure() const { return *structure_; }
+  [[nodiscard]] Symmetry symmetry() const { return symmetry_; }
+  [[nodiscard]] int size() const { return structure_->size(); }
+
+  void set_zero();
+  /// Adds `mass_factor` · mass to the diagonal. mass: one entry a block row.
+  void add_diagonal(ConstVectorRef mass, double mass_factor);
+  /// Makes row and column of one component those of the unit matrix times `value` (a component that is held).
+  void hold(int row, int component, double value);
+
+  [[nodiscard]] Eigen::Map<Matrix3> lower(std::int64_t block) { return Eigen::Map<Matrix3>(&lower_[9 * static_cast<std::size_t>(block)]); }
+  [[nodiscard]] Eigen::Map<const Matrix3> lower(std::int64_t block) const { return Eigen::Map<const Matrix3>(&lower_[9 * static_cast<std::size_t>(block)]); }
+  /// Block (column, row) of the stored block (row, column); unsymmetric matrices only. Unused on the diagonal.
+  [[nodiscard]] Eigen::Map<Matrix3> upper(std::int64_t block) { return Eigen::Map<Matrix3>(&upper_[9 * static_cast<std::size_t>(block)]); }
+  [[nodiscard]] Eigen::Map<const Matrix3> upper(std::int64_t block) const { return Eigen::Map<const Matrix3>(&upper_[9 * static_cast<std::size_t>(block)]); }
+  [[nodiscard]] std::span<const double> lower_values() const { return lower_; }
+
+  /// y = A x. x, y: 3n.
+  void multiply(ConstVectorRef x, VectorRef y) const;
+  /// Largest |A − Aᵀ| entry over the largest |A| entry; 0 for a symmetric matrix.
+  [[nodiscard]] double asymmetry() const;
+  /// The whole matrix, dense: for tests and diagnosis.
+  [[nodiscard]] Eigen::MatrixXd dense() const;
+
+ private:
+  const BlockStructure* structure_;
+  Symmetry symmetry_;
+  std::vector<double> lower_, upper_;
+};
+
+/// Adds the blocks of one term's elements to a matrix, straight into their slots.
+class Assembler {
+ public:
+  Assembler(BlockMatrix& matrix, const SlotTable& table) : matrix_(&matrix), table_(&table) {}
+
+  /// True where blocks without a transposed twin are kept: terms may skip computing them otherwise.
+  [[nodiscard]] bool keeps_unsymmetric() const { return matrix_->symmetry() == Symmetry::unsymmetric; }
+
+  /// Block (p, p) of an element; only its symmetric part reaches a symmetric matrix's solvers.
+  void add_diagonal(std::size_t element, int p, const Matrix3& block) { matrix_->lower(table_->at(element, p, p).block) += block; }
+
+  /// Block (p, q) of an element, and its transpose at (q, p); p < q.
+  void add_pair(std::size_t element, int p, int q, const Matrix3& block) {
+    const Slot& slot = table_->at(element, p, q);
+    // stored is (larger row, smaller row): the block itself if p is the larger, its transpose otherwise
+    if (slot.transposed)
+      matrix_->lower(slot.block) += block.transpose();
+    else
+      matrix_->lower(slot.block) += block;
+    if (keeps_unsymmetric()) {
+      if (slot.transposed)
+        matrix_->upper(slot.block) += block;
+      else
+        matrix_->upper(slot.block) += block.transpose();
+    }
+  }
+
+  /// Blocks (p, q) and (q, p) of an element, p < q. A symmetric matrix takes the mean of block and transpose.
+  void add_general_pair(std::size_t element, int p, int q, const Matrix3& pq, const Matrix3& qp) {
+    if (!keeps_unsymmetric()) return add_pair(element, p, q, 0.5 * (pq + qp.transpose()));
+    const Slot& slot = table_->at(element, p, q);
+    matrix_->lower(slot.block) += slot.transposed ? qp : pq;
+    matrix_->upper(slot.block) += slot.transposed ? pq : qp;
+  }
+
+ private:
+  BlockMatrix* matrix_;
+  const SlotTable* table_;
+};
+
+}  // namespace sundrape

@@ -1,0 +1,43 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sundrape/linalg/block_matrix.hpp"
+
+namespace sundrape {
+
+enum class FactorStatus { ok, not_positive_definite, singular };
+
+struct SolveReport {
+  bool ok = true;
+  int iterations = 0;      // of an iterative solver; 0 for a direct one
+  std::string problem;     // what went wrong, empty if nothing
+};
+
+/// Solves A x = b for one matrix after another on the same structure.
+///
+/// analyse() once a structure (again only when it changes), factor() once a matrix, solve() as often as wanted.
+/// A multigrid preconditioner, a direct factorisation and a matrix-free method all fit behind it.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  /// What the solver wants assembled.
+  [[nodiscard]] virtual Symmetry symmetry() const = 0;
+  virtual void analyse(const BlockStructure& structure) = 0;
+  [[nodiscard]] virtual FactorStatus factor(const BlockMatrix& matrix) = 0;
+  /// @param tolerance  on |b − A x| / |b|; direct solvers ignore it
+  /// b and x: 3n, may not overlap.
+  [[nodiscard]] virtual SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance) = 0;
+  /// Number of negative eigenvalues of the last factored matrix where the factor tells it (Sylvester's law of inertia).
+  [[nodiscard]] virtual std::optional<int> negative_pivots() const { return std::nullopt; }
+};
+
+enum class SolverKind { conjugate_gradients, cholesky, lu };
+
+/// @throws std::invalid_argument  a kind that this build does not have
+[[nodiscard]] std::unique_ptr<LinearSolver> make_linear_solver(SolverKind kind);
+
+}  // namespace sundrape

@@ -1,0 +1,29 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace sundrape {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+using Vector = Eigen::VectorXd;
+using VectorRef = Eigen::Ref<Eigen::VectorXd>;
+using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
+
+/// A configuration and its rate at one instant.
+///
+/// Shapes: q and v hold one 3-vector a point, 3P in all; point i owns entries 3i, 3i+1, 3i+2.
+/// The points of a particle net are its nodes.
+struct State {
+  double time;        // [s]
+  ConstVectorRef q;   // coordinates [m]
+  ConstVectorRef v;   // their rates [m/s]
+};
+
+/// The 3-vector that belongs to point i, as something to read or to write.
+inline auto point(ConstVectorRef& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+inline auto point(const ConstVectorRef& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+inline auto point(VectorRef& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+inline auto point(Vector& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+inline auto point(const Vector& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+
+}  // namespace sundrape
