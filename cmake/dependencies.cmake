@@ -1,4 +1,6 @@
 # Every library that sundrape uses; docs/dependencies.md says why each.
+# The installed package configuration includes this file too, so that what the build finds and what a user of the
+# static library must find are one list.
 find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode ida arkode nvecserial)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
@@ -7,22 +9,25 @@ find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
 
-# SuiteSparse and UDUNITS ship no CMake package on Debian.
-function(sundrape_find_library target header header_dirs)
-  find_path(${target}_INCLUDE_DIR ${header} PATH_SUFFIXES ${header_dirs} REQUIRED)
-  set(files)
-  foreach(name IN LISTS ARGN)
-    find_library(${target}_${name}_LIBRARY ${name} REQUIRED)
-    list(APPEND files ${${target}_${name}_LIBRARY})
-  endforeach()
-  add_library(sundrape_${target} INTERFACE)
-  target_include_directories(sundrape_${target} SYSTEM INTERFACE $<BUILD_INTERFACE:${${target}_INCLUDE_DIR}>)
-  target_link_libraries(sundrape_${target} INTERFACE ${files})
+# SuiteSparse 5 and UDUNITS ship no CMake package. Makes the imported target sundrape::<name>.
+function(sundrape_find_library name header header_folder)
+  find_path(SUNDRAPE_${name}_INCLUDE_DIR ${header} PATH_SUFFIXES ${header_folder})
+  find_library(SUNDRAPE_${name}_LIBRARY ${name})
+  mark_as_advanced(SUNDRAPE_${name}_INCLUDE_DIR SUNDRAPE_${name}_LIBRARY)
+  if(NOT SUNDRAPE_${name}_INCLUDE_DIR OR NOT SUNDRAPE_${name}_LIBRARY)
+    message(FATAL_ERROR "sundrape needs ${header} and lib${name}; docs/dependencies.md names the packages that have them")
+  endif()
+  if(NOT TARGET sundrape::${name})
+    add_library(sundrape::${name} INTERFACE IMPORTED)
+    set_target_properties(sundrape::${name} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${SUNDRAPE_${name}_INCLUDE_DIR}"
+                                                       INTERFACE_LINK_LIBRARIES "${SUNDRAPE_${name}_LIBRARY}")
+  endif()
 endfunction()
 
-sundrape_find_library(klu klu.h suitesparse klu)
-sundrape_find_library(udunits udunits2.h "" udunits2)
+sundrape_find_library(klu klu.h suitesparse)
+sundrape_find_library(udunits2 udunits2.h udunits2)
 if(SUNDRAPE_WITH_CHOLMOD)
-  sundrape_find_library(cholmod cholmod.h suitesparse cholmod)
+  sundrape_find_library(cholmod cholmod.h suitesparse)
 endif()

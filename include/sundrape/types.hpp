@@ -26,4 +26,11 @@ inline auto point(VectorRef& x, int i) { return x.segment<3>(3 * static_cast<Eig
 inline auto point(Vector& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
 inline auto point(const Vector& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }
 
+/// The matrix of w×, so that cross_matrix(w) * x = w.cross(x).
+inline Matrix3 cross_matrix(const Vector3& w) {
+  Matrix3 m;
+  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return m;
+}
+
 }  // namespace sundrape

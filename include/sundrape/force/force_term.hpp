@@ -19,6 +19,9 @@ class ForceTerm {
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual EnergyKind kind() const = 0;
 
+  /// Whether the term is a load from outside: weight, forces, moments, pressure.
+  [[nodiscard]] virtual bool is_external() const { return false; }
+
   /// Stored energy [J]; 0 for a term that has none.
   [[nodiscard]] virtual double energy(const State& state) const = 0;
   /// Power that the term turns into heat [W], ≥ 0.

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,57 +12,128 @@
 
 namespace sundrape {
 
-/// One case, fully resolved: SI units, defaults filled in, ranges checked. What a reader of case files hands to the app.
+/// Where in the case something stands, for errors that only show once the mesh is known.
+struct SourceLine {
+  std::string file = {};  // as the user gave it; "--set key=value" for what the command line says
+  int line = 0;           // 0: from --set
+  std::string key = {};   // dotted: "fix.0.nodes", "output.probes.1.near", "load.0"
+};
 
-struct Place {                      // rest -> placed: rotate about the origin, then translate
+struct Place {  // rest -> placed: rotate about the origin, then translate
   Vector3 translate = Vector3::Zero();
   Vector3 axis = Vector3::UnitZ();
-  double angle = 0;                 // [rad]
+  double angle = 0;  // [rad]
 };
 
 enum class Model { particle };
 enum class Analysis { dynamics, relaxation };
 
-struct RectangleShape { double length = 0, width = 0; int cells_warp = 0, cells_weft = 0; };        // [m], warp direction first
-struct DiscShape { double radius = 0; int cells = 0; };                                            // cells across the diameter
-struct AnnulusShape { double inner_radius = 0, outer_radius = 0; int cells_radial = 0, cells_around = 0; };
-struct MeshShape { std::filesystem::path file; double unit = 1; };                                // OBJ of quads, scaled to metres
+// [m], warp direction first
+struct RectangleShape {
+  double length = 0, width = 0;
+  int cells_warp = 0, cells_weft = 0;
+};
+
+// cells across the diameter
+struct DiscShape {
+  double radius = 0;
+  int cells = 0;
+};
+
+struct AnnulusShape {
+  double inner_radius = 0, outer_radius = 0;
+  int cells_radial = 0, cells_around = 0;
+};
+
+// OBJ of quads, scaled to metres; absolute path
+struct MeshShape {
+  std::filesystem::path file;
+  double unit = 1;
+  SourceLine source;
+};
 
 struct ClothCase {
   std::variant<RectangleShape, DiscShape, AnnulusShape, MeshShape> shape;
   Place place;
-  double waviness_amplitude = 0;    // [m], out of plane, uniform in ± amplitude at every node
-  std::optional<bool> waviness_given;   // whether the case says so itself
+  double waviness_amplitude = 0;       // [m], out of plane, uniform in ± amplitude at every node
+  std::optional<bool> waviness_given;  // whether the case says so itself
   unsigned waviness_seed = 1;
 };
 
-struct SourceLine { std::string file; int line = 0; };   // where in the case something stands; line 0: from --set
-
 struct FixCase {
-  std::string name;                 // of its reaction in the result; from the selector unless given
+  std::string name;  // of its reaction in the result; from the selector unless given
   Selector nodes;
   std::array<bool, 3> components{true, true, true};
   bool rotation = true;
-  SourceLine source;
+  SourceLine source;  // of the selector
 };
 
-struct GravityLoad { Vector3 acceleration{0, 0, -9.80665}; };          // [m/s²]
-struct ForceLoad { Selector nodes; Vector3 total; };                   // [N], shared equally
-struct MomentLoad { Selector nodes; Vector3 total; };                  // [N m], shared by tributary length
-struct TractionLoad { Selector nodes; Vector3 per_length; };           // [N/m] of edge
-struct PressureLoad { double value = 0; };                             // [Pa], follows the face normal
+// [m/s²]
+struct GravityLoad {
+  Vector3 acceleration{0, 0, -9.80665};
+};
+
+// [N], shared equally
+struct ForceLoad {
+  Selector nodes;
+  Vector3 total;
+};
+
+// [N m], shared by tributary length
+struct MomentLoad {
+  Selector nodes;
+  Vector3 total;
+};
+
+// [N/m] of edge
+struct TractionLoad {
+  Selector nodes;
+  Vector3 per_length;
+};
+
+// [Pa], follows the face normal
+struct PressureLoad {
+  double value = 0;
+};
+
 struct LoadCase {
   std::variant<GravityLoad, ForceLoad, MomentLoad, TractionLoad, PressureLoad> load;
-  double ramp = 0;                  // reaches full size smoothly over this time [s]
-  SourceLine source;
+  double ramp = 0;    // reaches full size smoothly over this time [s]
+  SourceLine source;  // of the selector where it has one
 };
 
-struct PlaneShape { Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ(); };
-struct BoxShape { Vector3 size; double edge_radius = 0; };             // full edge lengths [m]
-struct CylinderShape { double radius = 0, length = 0; Vector3 axis = Vector3::UnitZ(); double edge_radius = 0; };
-struct SphereShape { double radius = 0; };
-struct CapsuleShape { double radius = 0, length = 0; Vector3 axis = Vector3::UnitZ(); };   // length between the cap centres
-struct DiscPedestalShape { double radius = 0, height = 0; double edge_radius = 0; };       // its top is z = 0 of its place
+struct PlaneShape {
+  Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ();
+};
+
+// full edge lengths [m]
+struct BoxShape {
+  Vector3 size;
+  double edge_radius = 0;
+};
+
+struct CylinderShape {
+  double radius = 0, length = 0;
+  Vector3 axis = Vector3::UnitZ();
+  double edge_radius = 0;
+};
+
+struct SphereShape {
+  double radius = 0;
+};
+
+// length between the cap centres
+struct CapsuleShape {
+  double radius = 0, length = 0;
+  Vector3 axis = Vector3::UnitZ();
+};
+
+// its top is z = 0 of its place
+struct DiscPedestalShape {
+  double radius = 0, height = 0;
+  double edge_radius = 0;
+};
+
 struct ObstacleCase {
   std::string name;
   std::variant<PlaneShape, BoxShape, CylinderShape, SphereShape, CapsuleShape, DiscPedestalShape> shape;
@@ -70,44 +142,52 @@ struct ObstacleCase {
 };
 
 struct ContactCase {
-  std::optional<double> stiffness;  // pressure per depth [N/m³]; default from the load and the penetration allowed
-  double smoothing = 0;             // distance over which the force sets in [m]; default 0.1 thickness
-  double penetration = 0;           // allowed [m]; default 0.1 thickness
-  std::optional<double> restitution;   // in [0, 1]; absent: no impact law
-  double restitution_speed = 0.05;  // impacts slower than this are left to the penalty force [m/s]
+  std::optional<double> stiffness;    // pressure per depth [N/m³]; default from the load and the penetration allowed
+  double smoothing = 0;               // distance over which the force sets in [m]; default 0.1 thickness
+  double penetration = 0;             // allowed [m]; default 0.1 thickness
+  std::optional<double> restitution;  // in [0, 1]; absent: no impact law
+  double restitution_speed = 0.05;    // impacts slower than this are left to the penalty force [m/s]
+  double thickness = 0;               // scale of the two defaults above [m]; default the material's
 };
 
 enum class IntegratorKind { cvode, ida, rk4 };
+
 struct DynamicsCase {
   IntegratorKind integrator = IntegratorKind::cvode;
-  double duration = 0;              // [s]
+  double duration = 0;  // [s]
   double rtol = 1e-4;
-  std::optional<double> atol_position;   // [m]; default 0.1 rtol L
-  std::optional<double> atol_velocity;   // [m/s]; default 0.01 √(g L)
+  std::optional<double> atol_position;  // [m]; default 0.1 rtol L
+  std::optional<double> atol_velocity;  // [m/s]; default 0.01 √(g L)
   int max_order = 2;
-  std::optional<double> step, max_step, first_step;   // [s]
-  std::string linear_solver = "auto";    // auto | cg | cholesky | lu
-  std::optional<double> time_limit;      // wall clock [s]
+  std::optional<double> step, max_step, first_step;  // [s]
+  std::string linear_solver = "auto";                // auto | cg | cholesky | lu
+  std::optional<double> time_limit;                  // wall clock [s]
 };
 
 struct RelaxationCase {
   double tolerance = 1e-6;          // on |out-of-balance force| / |external force|
   std::string scheme = "implicit";  // implicit | chapter
   int max_iterations = 2000;
-  std::optional<double> first_step; // [s]
+  std::optional<double> first_step;  // [s]
   double growth = 1.3;
   std::string linear_solver = "auto";
-  std::optional<double> c_disp;     // [m/N] of the chapter's scheme; default: a safe one from the stiffest mode
-  std::optional<double> c_acc;      // [N/m]
-  std::optional<double> time_limit; // wall clock [s]
+  std::optional<double> c_disp;      // [m/N] of the chapter's scheme; default: a safe one from the stiffest mode
+  std::optional<double> c_acc;       // [N/m]
+  std::optional<double> time_limit;  // wall clock [s]
 };
 
-struct ProbeCase { std::string name; Vector3 near; };
+struct ProbeCase {
+  std::string name;
+  Vector3 near = Vector3::Zero();
+  SourceLine source;
+};
+
 struct OutputCase {
   std::vector<double> frame_times;  // dynamics: from 0 to the duration
   std::vector<ProbeCase> probes;
 };
 
+/// One case, fully resolved: SI units, defaults filled in, ranges checked. What a reader of case files hands on.
 struct Case {
   std::string title;
   Model model = Model::particle;
@@ -121,8 +201,8 @@ struct Case {
   DynamicsCase dynamics;
   RelaxationCase relaxation;
   OutputCase output;
-  std::filesystem::path file;       // the case file; relative paths inside it count from its folder
-  std::string text;                 // the TOML as run, --set included
+  std::filesystem::path file;  // the case file; relative paths inside it count from its folder
+  std::string text;            // the TOML as run, --set included
 };
 
 }  // namespace sundrape

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,10 +13,11 @@ enum class Symmetry { symmetric, unsymmetric };
 /// A 3n × 3n matrix of 3×3 blocks on a symmetric structure.
 ///
 /// A symmetric matrix stores its lower triangle; an unsymmetric one also stores, beside each lower block (i, j), the
-/// upper block (j, i). Blocks are column-major, 9 doubles each; one scratch block follows the last.
+/// upper block (j, i). Blocks are column-major, 9 doubles each; one scratch block follows the last. Of the diagonal
+/// blocks of a symmetric matrix the symmetric part counts, here and in every solver.
 class BlockMatrix {
  public:
-  BlockMatrix(const BlockStructure& structure, Symmetry symmetry);   // keeps a reference to the structure
+  BlockMatrix(const BlockStructure& structure, Symmetry symmetry);  // keeps a reference to the structure
 
   [[nodiscard]] const BlockStructure& structure() const { return *structure_; }
   [[nodiscard]] Symmetry symmetry() const { return symmetry_; }
@@ -23,18 +25,30 @@ class BlockMatrix {
 
   void set_zero();
   /// Adds `mass_factor` · mass to the diagonal. mass: one entry a block row.
+  /// @throws std::invalid_argument  another number of entries
   void add_diagonal(ConstVectorRef mass, double mass_factor);
   /// Makes row and column of one component those of the unit matrix times `value` (a component that is held).
   void hold(int row, int component, double value);
 
-  [[nodiscard]] Eigen::Map<Matrix3> lower(std::int64_t block) { return Eigen::Map<Matrix3>(&lower_[9 * static_cast<std::size_t>(block)]); }
-  [[nodiscard]] Eigen::Map<const Matrix3> lower(std::int64_t block) const { return Eigen::Map<const Matrix3>(&lower_[9 * static_cast<std::size_t>(block)]); }
+  [[nodiscard]] Eigen::Map<Matrix3> lower(std::int64_t block) {
+    return Eigen::Map<Matrix3>(&lower_[9 * static_cast<std::size_t>(block)]);
+  }
+  [[nodiscard]] Eigen::Map<const Matrix3> lower(std::int64_t block) const {
+    return Eigen::Map<const Matrix3>(&lower_[9 * static_cast<std::size_t>(block)]);
+  }
   /// Block (column, row) of the stored block (row, column); unsymmetric matrices only. Unused on the diagonal.
-  [[nodiscard]] Eigen::Map<Matrix3> upper(std::int64_t block) { return Eigen::Map<Matrix3>(&upper_[9 * static_cast<std::size_t>(block)]); }
-  [[nodiscard]] Eigen::Map<const Matrix3> upper(std::int64_t block) const { return Eigen::Map<const Matrix3>(&upper_[9 * static_cast<std::size_t>(block)]); }
+  [[nodiscard]] Eigen::Map<Matrix3> upper(std::int64_t block) {
+    return Eigen::Map<Matrix3>(&upper_[9 * static_cast<std::size_t>(block)]);
+  }
+  [[nodiscard]] Eigen::Map<const Matrix3> upper(std::int64_t block) const {
+    return Eigen::Map<const Matrix3>(&upper_[9 * static_cast<std::size_t>(block)]);
+  }
+  /// Diagonal block of a row: its symmetric part if the matrix is symmetric.
+  [[nodiscard]] Matrix3 diagonal(int row) const;
   [[nodiscard]] std::span<const double> lower_values() const { return lower_; }
 
-  /// y = A x. x, y: 3n.
+  /// y = A x. x, y: 3n, may not overlap.
+  /// @throws std::invalid_argument  other lengths
   void multiply(ConstVectorRef x, VectorRef y) const;
   /// Largest |A − Aᵀ| entry over the largest |A| entry; 0 for a symmetric matrix.
   [[nodiscard]] double asymmetry() const;
@@ -42,9 +56,13 @@ class BlockMatrix {
   [[nodiscard]] Eigen::MatrixXd dense() const;
 
  private:
+  void multiply_symmetric(ConstVectorRef x, VectorRef y) const;
+  void multiply_unsymmetric(ConstVectorRef x, VectorRef y) const;
+
   const BlockStructure* structure_;
   Symmetry symmetry_;
   std::vector<double> lower_, upper_;
+  std::optional<BlockColumns> columns_;  // built by the first hold
 };
 
 /// Adds the blocks of one term's elements to a matrix, straight into their slots.
@@ -56,7 +74,9 @@ class Assembler {
   [[nodiscard]] bool keeps_unsymmetric() const { return matrix_->symmetry() == Symmetry::unsymmetric; }
 
   /// Block (p, p) of an element; only its symmetric part reaches a symmetric matrix's solvers.
-  void add_diagonal(std::size_t element, int p, const Matrix3& block) { matrix_->lower(table_->at(element, p, p).block) += block; }
+  void add_diagonal(std::size_t element, int p, const Matrix3& block) {
+    matrix_->lower(table_->at(element, p, p).block) += block;
+  }
 
   /// Block (p, q) of an element, and its transpose at (q, p); p < q.
   void add_pair(std::size_t element, int p, int q, const Matrix3& block) {

@@ -12,13 +12,15 @@ enum class FactorStatus { ok, not_positive_definite, singular };
 
 struct SolveReport {
   bool ok = true;
-  int iterations = 0;      // of an iterative solver; 0 for a direct one
-  std::string problem;     // what went wrong, empty if nothing
+  int iterations = 0;   // of an iterative solver; 0 for a direct one
+  std::string problem;  // what went wrong, empty if nothing
 };
 
 /// Solves A x = b for one matrix after another on the same structure.
 ///
-/// analyse() once a structure (again only when it changes), factor() once a matrix, solve() as often as wanted.
+/// analyse() once a structure (again only when it changes), factor() once a matrix, solve() as often as wanted. The
+/// structure must live as long as the solver works on it, and the matrix must stay as it is from factor() to the last
+/// solve(): iterative solvers read it again.
 /// A multigrid preconditioner, a direct factorisation and a matrix-free method all fit behind it.
 class LinearSolver {
  public:
@@ -29,7 +31,7 @@ class LinearSolver {
   virtual void analyse(const BlockStructure& structure) = 0;
   [[nodiscard]] virtual FactorStatus factor(const BlockMatrix& matrix) = 0;
   /// @param tolerance  on |b − A x| / |b|; direct solvers ignore it
-  /// b and x: 3n, may not overlap.
+  /// b and x: 3n, may not overlap. x need not be set; after a failure of an iterative solver it is the iterate reached.
   [[nodiscard]] virtual SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance) = 0;
   /// Number of negative eigenvalues of the last factored matrix where the factor tells it (Sylvester's law of inertia).
   [[nodiscard]] virtual std::optional<int> negative_pivots() const { return std::nullopt; }

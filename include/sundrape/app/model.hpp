@@ -1,0 +1,43 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sundrape/force/obstacle_contact.hpp"
+#include "sundrape/force/stretch_springs.hpp"
+#include "sundrape/force/bend_springs.hpp"
+#include "sundrape/io/case.hpp"
+#include "sundrape/io/result.hpp"
+#include "sundrape/system/system.hpp"
+
+namespace sundrape {
+
+/// A case made into mechanics: its mesh, its system, and what results want to know about them.
+struct CaseModel {
+  struct ReactionSet {
+    std::string name;
+    std::vector<int> nodes;
+  };
+
+  QuadMesh mesh;
+  std::unique_ptr<System> system;
+  Vector initial;                             // placed and wavy positions, 3N [m]
+  const ObstacleContact* contact = nullptr;   // owned by the system; null without obstacles
+  const StretchSprings* threads = nullptr;    // owned by the system
+  const BendSprings* bends = nullptr;         // owned by the system
+  std::vector<ReactionSet> reactions;
+  std::vector<ProbeRecord> probes;
+  std::vector<ObstacleRecord> obstacles;
+  double size = 0;                            // longest side of the rest shape's bounding box [m]
+  double gravity = 0;                         // |acceleration| [m/s²]; 9.80665 where there is no gravity
+  double weight = 0;                          // mass times |gravity load| [N]
+};
+
+/// @throws CaseError  what only shows with the mesh at hand: selectors that pick nothing, sets that are not there, loads
+///                    that find no edge, supports in conflict, a mesh that cannot be used
+[[nodiscard]] CaseModel build_model(const Case& c);
+
+/// Force that the cloth exerts on the nodes of a set: the force on them that nothing in the system balances [N].
+[[nodiscard]] Vector3 reaction(const System& system, const State& all, const std::vector<int>& nodes);
+
+}  // namespace sundrape

@@ -1,0 +1,69 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "sundrape/app/model.hpp"
+#include "sundrape/integrate/energy_audit.hpp"
+#include "sundrape/io/result_writer.hpp"
+#include "sundrape/io/xdmf.hpp"
+
+namespace sundrape {
+
+/// What a run has seen at its worst, for the summary and for warnings.
+struct Extremes {
+  double largest_edge_strain = 0, smallest_edge_strain = 0;   // over all frames
+  double deepest_penetration = 0;                             // over all accepted steps [m]
+  double sharpest_bend = 0;                                   // over all frames [rad]
+};
+
+/// Turns states of a model into frames, probes and checkpoints of a result file, and keeps score of the extremes.
+class Recorder {
+ public:
+  struct Files {
+    std::filesystem::path output;
+    std::optional<std::filesystem::path> resume;
+  };
+
+  /// @throws FileError
+  Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns, std::uint64_t expected_frames);
+
+  void frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots = std::nullopt);
+  /// Probes and extremes of an accepted step; returns how the cloth stands to its obstacles.
+  ContactReport step(const State& all);
+  void step_values(std::initializer_list<ResultWriter::StepValue> values) { writer_.append_step(values); }
+  void checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size);
+  /// What an interrupted run left, if this one resumes it.
+  struct Restart {
+    double time = 0;
+    Vector q, v;   // 3N
+    EnergyAudit::Balance balance;
+    double initial_energy = 0, step_size = 0;
+  };
+  [[nodiscard]] const std::optional<Restart>& restart() const { return restart_; }
+
+  void warn(const std::string& text);
+  void statistic(const std::string& name, StatisticValue value, const std::string& description);
+  /// Statistics and extremes so far as JSON, with what describes the run.
+  [[nodiscard]] nlohmann::json summary(const std::string& status, const std::string& message) const;
+  void finish(ResultStatus status, const std::string& message);
+
+  [[nodiscard]] const Extremes& extremes() const { return extremes_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] std::uint64_t frames() const { return writer_.frames(); }
+
+ private:
+  const Case& case_;
+  const CaseModel& model_;
+  ResultHeader header_;
+  std::optional<Restart> restart_;
+  ResultWriter writer_;
+  XdmfWriter xdmf_;
+  Extremes extremes_;
+  Frame last_;
+  std::vector<std::string> warnings_;
+  std::vector<Statistic> statistics_;
+};
+
+}  // namespace sundrape

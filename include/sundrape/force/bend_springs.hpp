@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "sundrape/force/force_term.hpp"
+#include "sundrape/force/stripes.hpp"
+
+namespace sundrape {
+
+/// Two consecutive edges of a thread line and the thread that crosses them.
+struct BendSpring {
+  int previous = 0, centre = 0, next = 0;   // nodes along the thread
+  int cross_from = 0, cross_to = 0;         // ends of the crossing chord; one of them is the centre on a boundary
+  double skew = 0;                          // the hinge axis is (x_to − x_from) − skew (x_next − x_previous)
+  double rest_angle = 0;                    // [rad]
+  double stiffness = 0;                     // B w / s [N m]: bending rigidity, tributary width, length along the thread
+};
+
+/// Bending of the particle net between consecutive edges of its thread lines.
+///
+/// The angle Δφ between the edges about the crossing thread is curvature times length, Δφ = s/R, and the moment is
+/// M = EI/(1 − ν²)/R (chapter (45)); each spring stores ½ (B w/s) (Δφ − Δφ₀)². The pairs of forces that the chapter
+/// writes as F_bend = M/b (44), (47) are its gradient. Kelvin–Voigt damping adds β (B w/s) dΔφ/dt.
+class BendSprings final : public ForceTerm {
+ public:
+  /// @param relaxation_time  β [s], ≥ 0
+  /// @throws std::invalid_argument  β < 0, a stiffness that is not positive, or a spring that names a node twice
+  explicit BendSprings(std::vector<BendSpring> springs, double relaxation_time = 0);
+
+  [[nodiscard]] std::string_view name() const override { return "bend springs"; }
+  [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }
+  [[nodiscard]] double energy(const State& state) const override;
+  [[nodiscard]] double dissipated_power(const State& state) const override;
+  void add_force(const State& state, VectorRef f) const override;
+  void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
+  void declare_pattern(Pattern& pattern) const override;
+
+  /// Largest |Δφ| over all springs [rad]: near π the net folds more sharply than its mesh can follow.
+  [[nodiscard]] double largest_angle(ConstVectorRef q) const;
+
+ private:
+  /// The five points of a spring: previous, centre, next, then the ends of the crossing chord that are not the centre.
+  struct Element {
+    std::array<int, 5> points;    // −1 where a boundary spring has only one crossing neighbour
+    double skew;
+    double centre_in_cross;       // weight of the centre in the crossing chord: 0 inside, ±1 on a boundary
+    double rest_angle, stiffness;
+  };
+  struct Edges;
+  [[nodiscard]] static Edges edges(const Element& element, ConstVectorRef x);
+
+  std::vector<Element> elements_;
+  double relaxation_time_;
+  Stripes stripes_;
+};
+
+}  // namespace sundrape

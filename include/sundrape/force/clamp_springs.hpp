@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "sundrape/force/force_term.hpp"
+
+namespace sundrape {
+
+/// The first edge of a thread that leaves a clamped node.
+struct ClampSpring {
+  int node = 0, next = 0;
+  Vector3 direction;        // the slope that the clamp holds, along the thread [-]
+  Vector3 axis;             // hinge axis, in the sheet and across the thread [-]
+  double stiffness = 0;     // B w / (b/2) [N m]
+};
+
+/// Clamped edges of the particle net hold the slope.
+///
+/// An edge of length b has the slope of the thread at its middle, b/2 from the clamp, so the angle φ between clamp and
+/// edge stores ½ (B w/(b/2)) φ². With it the moment- and tip-loaded cantilevers converge with second order.
+class ClampSprings final : public ForceTerm {
+ public:
+  /// @throws std::invalid_argument  β < 0, or a stiffness that is not positive
+  explicit ClampSprings(std::vector<ClampSpring> springs, double relaxation_time = 0);
+
+  [[nodiscard]] std::string_view name() const override { return "clamped edges"; }
+  [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }
+  [[nodiscard]] double energy(const State& state) const override;
+  [[nodiscard]] double dissipated_power(const State& state) const override;
+  void add_force(const State& state, VectorRef f) const override;
+  void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
+  void declare_pattern(Pattern& pattern) const override;
+
+ private:
+  std::vector<ClampSpring> springs_;
+  double relaxation_time_;
+};
+
+}  // namespace sundrape

@@ -1,0 +1,80 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sundrape/io/hdf5.hpp"
+#include "sundrape/io/result.hpp"
+
+namespace sundrape {
+
+struct ProbeHistory {
+  int node = -1;
+  std::vector<double> time;                 // [s], one a step
+  std::vector<Vector3> position, velocity;  // [m], [m/s]
+};
+
+/// Reads a result file, finished or not. Sees what was complete when it was opened.
+class ResultReader {
+ public:
+  /// @throws FileError  missing, not HDF5, not a result of sundrape, or of a newer layout
+  explicit ResultReader(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::string& title() const { return title_; }
+  [[nodiscard]] const std::string& model() const { return model_; }
+  [[nodiscard]] const std::string& analysis() const { return analysis_; }
+  [[nodiscard]] const std::string& status() const { return status_; }  // running also after a kill
+  [[nodiscard]] const std::string& message() const { return message_; }
+  [[nodiscard]] const std::string& version() const { return version_; }
+  [[nodiscard]] const std::string& case_text() const { return case_text_; }
+  [[nodiscard]] const QuadMesh& mesh() const { return mesh_; }
+
+  [[nodiscard]] std::size_t frames() const { return frame_values_.size(); }
+  [[nodiscard]] FrameVariable frame_variable() const { return frame_variable_; }
+  /// Time [s] or load factor of each frame.
+  [[nodiscard]] const std::vector<double>& frame_values() const { return frame_values_; }
+  /// 3N. @throws FileError  no such frame
+  [[nodiscard]] Vector position(std::size_t frame) const { return nodal("/frames/position", frame); }
+  [[nodiscard]] Vector velocity(std::size_t frame) const { return nodal("/frames/velocity", frame); }
+  [[nodiscard]] Vector contact_force(std::size_t frame) const { return nodal("/frames/contact_force", frame); }
+  [[nodiscard]] bool has_director() const;
+  [[nodiscard]] Vector director(std::size_t frame) const { return nodal("/frames/director", frame); }
+
+  /// By name (kinetic, membrane, ...), one value a frame [J].
+  [[nodiscard]] std::map<std::string, std::vector<double>> energies() const;
+  [[nodiscard]] std::vector<double> residual() const;
+  [[nodiscard]] std::vector<std::int64_t> negative_pivots() const;
+  [[nodiscard]] std::vector<double> penetration() const;                        // [m]
+  [[nodiscard]] std::vector<Vector3> contact_force_sum() const;                 // [N]
+  [[nodiscard]] std::map<std::string, std::vector<Vector3>> reactions() const;  // by set, one a frame [N]
+
+  [[nodiscard]] std::size_t steps() const { return steps_; }
+  /// By name, one value a step.
+  [[nodiscard]] std::map<std::string, std::vector<double>> step_columns() const;
+  [[nodiscard]] std::map<std::string, ProbeHistory> probes() const;
+  [[nodiscard]] std::vector<Statistic> statistics() const;
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::vector<ObstacleRecord> obstacles() const;
+  /// The newest checkpoint that is complete.
+  [[nodiscard]] std::optional<Checkpoint> checkpoint() const;
+
+  [[nodiscard]] const hdf5::File& file() const { return file_; }
+
+ private:
+  [[nodiscard]] Vector nodal(const std::string& path, std::size_t frame) const;
+  [[nodiscard]] std::vector<double> per_frame(const std::string& path) const;
+  [[nodiscard]] std::vector<Vector3> vectors(const std::string& path, std::size_t rows) const;
+  void read_mesh();
+
+  hdf5::File file_;
+  std::string title_, model_, analysis_, status_, message_, version_, case_text_;
+  QuadMesh mesh_;
+  FrameVariable frame_variable_ = FrameVariable::time;
+  std::vector<double> frame_values_;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace sundrape

@@ -1,0 +1,60 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "sundrape/force/force_term.hpp"
+#include "sundrape/system/unknowns.hpp"
+
+namespace sundrape {
+
+/// Energies by kind [J].
+struct Energies {
+  double kinetic = 0, membrane = 0, shear = 0, bending = 0, gravity = 0, contact = 0, load = 0;
+
+  [[nodiscard]] double stored() const { return membrane + shear + bending + gravity + contact + load; }
+  [[nodiscard]] double total() const { return kinetic + stored(); }
+};
+
+/// The semidiscrete system  M a = Σ f_k(q, v, t)  of one cloth: masses, force terms, supports, sparsity.
+///
+/// Integrators and statics see only this class. Vectors named "all" hold every point (3P); vectors of "rows" hold the
+/// unknowns (3n). The mass matrix is lumped.
+class System {
+ public:
+  /// @param mass   P [kg], > 0
+  /// @param terms  owned
+  /// @param rest   coordinates of the held points, 3P [m] (the other entries are not read)
+  System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest);
+
+  [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
+  [[nodiscard]] const Vector& mass() const { return mass_; }             // P [kg]
+  [[nodiscard]] const Vector& row_mass() const { return row_mass_; }     // n [kg]
+  [[nodiscard]] const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
+  [[nodiscard]] const BlockStructure& structure() const { return structure_; }
+
+  /// Every point's coordinates and rates from the unknowns'.
+  void expand(ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const;
+
+  /// Σ f_k, 3P [N]; f is overwritten.
+  void force(const State& all, VectorRef f) const;
+  /// matrix += dq ∂f/∂q + dv ∂f/∂v over the unknowns.
+  void add_tangent(const State& all, double dq, double dv, BlockMatrix& matrix) const;
+  /// Gives the held components of a matrix over the unknowns the equation "no change".
+  void hold(BlockMatrix& matrix) const;
+
+  [[nodiscard]] Energies energies(const State& all) const;
+  [[nodiscard]] double dissipated_power(const State& all) const;   // [W]
+  [[nodiscard]] double external_power(const State& all) const;     // [W]
+  /// |forces of loads and gravity| over the unknowns [N]: what the out-of-balance force is compared with.
+  [[nodiscard]] double external_force_norm(const State& all) const;
+
+ private:
+  Vector mass_, row_mass_;
+  std::vector<std::unique_ptr<ForceTerm>> terms_;
+  Unknowns unknowns_;
+  Vector rest_;
+  BlockStructure structure_;
+  std::vector<SlotTable> tables_;   // one a term
+};
+
+}  // namespace sundrape

@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "sundrape/types.hpp"
+
+namespace sundrape {
+
+/// Which points move freely, and how a short vector of unknowns maps to all points and back.
+///
+/// A point with all three components held leaves the system. A point with some components held stays, as a block row
+/// whose held components have the equation "no change", so that blocks stay 3×3.
+class Unknowns {
+ public:
+  using Held = std::array<bool, 3>;
+  struct HeldComponent {
+    int row, component;
+  };
+
+  explicit Unknowns(std::vector<Held> held);   // one entry a point
+
+  [[nodiscard]] int points() const { return static_cast<int>(held_.size()); }
+  [[nodiscard]] int rows() const { return static_cast<int>(point_of_row_.size()); }      // points that are unknown
+  [[nodiscard]] Eigen::Index size() const { return 3 * static_cast<Eigen::Index>(rows()); }
+  [[nodiscard]] const std::vector<int>& row_of_point() const { return row_of_point_; }   // −1 where the point is held
+  [[nodiscard]] const std::vector<int>& point_of_row() const { return point_of_row_; }
+  [[nodiscard]] const std::vector<HeldComponent>& held_components() const { return held_components_; }
+  [[nodiscard]] bool is_held(int point, int component) const { return held_[static_cast<std::size_t>(point)][static_cast<std::size_t>(component)]; }
+
+  /// all (3P) → rows (3n)
+  void gather(ConstVectorRef all, VectorRef rows) const;
+  /// rows (3n) → all (3P); points that are held keep what stands there.
+  void scatter(ConstVectorRef rows, VectorRef all) const;
+  /// Zeroes the held components of a vector of rows.
+  void clear_held(VectorRef rows) const;
+
+ private:
+  std::vector<Held> held_;
+  std::vector<int> row_of_point_, point_of_row_;
+  std::vector<HeldComponent> held_components_;
+};
+
+}  // namespace sundrape

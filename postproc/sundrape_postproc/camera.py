@@ -1,0 +1,69 @@
+"""Where the scene is seen from: a long lens, three quarters round, slightly above, as wide as what is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+AZIMUTH, ELEVATION = -58.0, 24.0  # degrees; azimuth from the x axis
+LENS = 20.0  # vertical opening, degrees
+MARGIN = 1.07
+REACH = 0.6  # how much of an obstacle beyond the cloth is fitted, over the cloth's largest extent
+
+
+@dataclass(frozen=True)
+class Room:
+    """Parts of the picture's height that the scene leaves free."""
+
+    top: float = 0.0
+    bottom: float = 0.0
+
+
+NO_ROOM = Room()
+
+
+@dataclass(frozen=True)
+class View:
+    eye: np.ndarray  # (3,) [m]
+    target: np.ndarray  # (3,) [m]
+    radius: float  # of what is shown [m]
+
+    def apply(self, renderer: vtkRenderer) -> None:
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(*self.eye)
+        camera.SetFocalPoint(*self.target)
+        camera.SetViewUp(0, 0, 1)
+        camera.SetViewAngle(LENS)
+        distance = np.linalg.norm(self.eye - self.target)
+        camera.SetClippingRange(max(distance - 6 * self.radius, 0.05 * distance), distance + 12 * self.radius)
+
+
+def three_quarter(cloth: np.ndarray, bodies: Sequence[np.ndarray], aspect: float, free: Room = NO_ROOM) -> View:
+    """Fit the cloth (P, 3) and the near parts of the bodies (Q, 3) [m] into a picture of width over height `aspect`."""
+    low, high = cloth.min(axis=0), cloth.max(axis=0)
+    reach = REACH * max(float((high - low).max()), 1e-9)
+    near = [np.clip(b, low - reach, high + reach) for b in bodies]
+    points = np.concatenate([cloth, *near])
+
+    azimuth, elevation = np.radians(AZIMUTH), np.radians(ELEVATION)
+    back = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+    right = np.cross([0, 0, 1], back)
+    right /= np.linalg.norm(right)
+    up = np.cross(back, right)
+    axes = np.stack([right, up, back])
+
+    target = (points.min(axis=0) + points.max(axis=0)) / 2
+    tangent = np.tan(np.radians(LENS / 2)) * np.array([aspect, 1.0 - free.top - free.bottom]) / MARGIN
+    distance = 0.0
+    for _ in range(4):  # centre the projection, then step back until all is inside; converges at once for a long lens
+        local = (points - target) @ axes.T
+        distance = float((np.abs(local[:, :2]) / tangent + local[:, 2:]).max())
+        seen = local[:, :2] / (distance - local[:, 2:])
+        shift = (seen.min(axis=0) + seen.max(axis=0)) / 2 * distance
+        target = target + shift @ axes[:2]
+    radius = float(np.linalg.norm(points - target, axis=1).max())
+    target = target + (free.top - free.bottom) * np.tan(np.radians(LENS / 2)) * distance * up
+    return View(target + distance * back, target, radius)

@@ -1,0 +1,109 @@
+"""Puts scenes and diagrams on one page with matplotlib."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.figure import Figure
+
+from .camera import Room
+from .energies import FAINT, INK, draw_history, draw_residual, facts
+from .errors import PostprocError
+from .load import Result
+from .units import quantity
+
+DPI = 110
+SCENE_SHARE = 0.60  # of the picture's width
+TITLE_ROOM = Room(top=0.11, bottom=0.03)
+CAPTION_ROOM = Room(bottom=0.10)
+GUTTER = 6  # pixels of white between the scenes of a filmstrip
+STYLE = {
+    "font.family": "DejaVu Sans",
+    "font.size": 8.5,
+    "axes.titlesize": 9.5,
+    "axes.titleweight": "bold",
+    "axes.edgecolor": FAINT,
+    "axes.labelcolor": INK,
+    "axes.titlecolor": INK,
+    "axes.linewidth": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "text.color": INK,
+}
+
+
+def scene_size(size: tuple[int, int]) -> tuple[int, int]:
+    """Pixels of the 3D part of a picture of `size` (width, height)."""
+    return round(SCENE_SHARE * size[0]), size[1]
+
+
+def panel_size(size: tuple[int, int], count: int) -> tuple[int, int]:
+    """Pixels of each of `count` scenes in a filmstrip of `size` (width, height)."""
+    return (size[0] - GUTTER * (count - 1)) // count, size[1]
+
+
+def caption(result: Result, frame: int) -> str:
+    if result.is_static:
+        return "at rest" if frame == len(result.time) - 1 and result.status == "done" else f"frame {frame}"
+    return f"t = {quantity(float(result.time[frame]), 's')}"
+
+
+def picture(result: Result, frame: int, scene: np.ndarray, size: tuple[int, int]) -> Figure:
+    """The scene (height, width, 3) at the left, its diagrams and table at the right."""
+    with plt.rc_context(STYLE):
+        figure = _figure(size)
+        _place_image(figure, scene, 0)
+        figure.text(0.022, 0.955, result.title, fontsize=14, fontweight="bold", va="top", wrap=False)
+        figure.text(0.022, 0.905, caption(result, frame), fontsize=9.5, va="top")
+        left, width = SCENE_SHARE + 0.062, 1 - SCENE_SHARE - 0.062 - 0.105
+        upper = figure.add_axes((left, 0.60, width, 0.335))
+        lower = figure.add_axes((left, 0.285, width, 0.235))
+        if result.is_static:
+            upper.set_position((left, 0.64, width + 0.07, 0.295))
+            lower.set_position((left + 0.02, 0.30, width + 0.05, 0.20))
+            draw_residual(upper, lower, result)
+        else:
+            draw_history(upper, lower, result, frame)
+        rows = facts(result)
+        for row, (name, value) in enumerate(rows):
+            height = 0.168 - 0.031 * row
+            figure.text(left - 0.042, height, name, color="#6a6a6a", va="baseline")
+            figure.text(left + 0.082, height, value, va="baseline")
+        return figure
+
+
+def filmstrip(result: Result, frames: Sequence[int], scenes: Sequence[np.ndarray], size: tuple[int, int]) -> Figure:
+    """Scenes side by side, each with its time."""
+    with plt.rc_context(STYLE):
+        figure = _figure(size)
+        for k, (frame, scene) in enumerate(zip(frames, scenes)):
+            left = k * (scene.shape[1] + GUTTER)
+            _place_image(figure, scene, left)
+            figure.text((left + scene.shape[1] / 2) / size[0], 0.05, caption(result, frame), ha="center", fontsize=10)
+        return figure
+
+
+def save(figure: Figure, path: Path) -> None:
+    try:
+        figure.savefig(path, dpi=DPI)
+    except (OSError, ValueError) as trouble:
+        raise PostprocError(f"{path}: cannot be written: {trouble}") from trouble
+    finally:
+        plt.close(figure)
+
+
+def _figure(size: tuple[int, int]) -> Figure:
+    return plt.figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI, facecolor="white")
+
+
+def _place_image(figure: Figure, image: np.ndarray, left: int) -> None:
+    """Pixel for pixel: the image is not resampled."""
+    figure.figimage(image, xo=left, yo=0, origin="upper")

@@ -1,0 +1,49 @@
+"""The look of the cloth's surface: a faint plain weave and a line every few centimetres of warp and weft."""
+
+from __future__ import annotations
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkTexture
+
+PIXELS = 512
+THREADS = 16  # across one tile
+LINE = 0.022  # width of the marking line, over the tile
+
+
+def thread_spacing(material: np.ndarray) -> float:
+    """A round length [m], 1, 2 or 5 times a power of ten, near a twentieth of the cloth: (N, 2) coordinates [m]."""
+    target = float(np.ptp(material, axis=0).max()) / 18
+    decade = 10 ** np.floor(np.log10(target))
+    return float(min((decade * m for m in (1, 2, 5, 10)), key=lambda length: abs(np.log(length / target))))
+
+
+def image_texture(pixels: np.ndarray, repeat: bool) -> vtkTexture:
+    """A texture of an image (height, width, 3 or 4) of bytes, bottom row first."""
+    height, width, channels = pixels.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(pixels).reshape(-1, channels), deep=True))
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.SetRepeat(repeat)
+    texture.InterpolateOn()
+    texture.SetMipmap(repeat)
+    texture.SetMaximumAnisotropicFiltering(8)
+    texture.SetColorModeToDirectScalars()
+    return texture
+
+
+def weave_texture() -> vtkTexture:
+    """One tile, a marking line along two of its sides; repeated in units of the thread spacing."""
+    s = (np.arange(PIXELS) + 0.5) / PIXELS
+    warp, weft = np.meshgrid(s, s)
+    phase = np.pi * THREADS
+    over = np.sign(np.sin(phase * warp) * np.sin(phase * weft))
+    round_thread = np.where(over > 0, np.abs(np.sin(phase * warp)), np.abs(np.sin(phase * weft)))
+    shade = 0.90 + 0.10 * np.sqrt(round_thread)
+    for along in (warp, weft):
+        distance = np.minimum(along, 1 - along)
+        shade = shade * (1 - 0.22 * np.clip(1.5 - distance / (LINE / 2), 0, 1))
+    return image_texture(np.repeat((255 * shade)[..., None], 3, axis=2).astype(np.uint8), repeat=True)

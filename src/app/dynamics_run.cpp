@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "sundrape/app/analyses.hpp"
+#include "sundrape/app/interrupt.hpp"
+#include "sundrape/integrate/dynamics.hpp"
+#include "sundrape/integrate/impact.hpp"
+#include "sundrape/integrate/stability_limit.hpp"
+#include "sundrape/io/case_error.hpp"
+
+namespace sundrape {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds checkpoint_every(2);   // of wall clock: a checkpoint waits for the disk
+
+SolverKind solver_kind(const std::string& name) {
+  if (name == "cholesky") return SolverKind::cholesky;
+  if (name == "lu") return SolverKind::lu;
+  return SolverKind::conjugate_gradients;   // wins at every size while mass matters; "auto"
+}
+
+/// Error weights' absolute parts (docs/integrators.md): 0.1 rtol of the sheet's size; 100 rtol √(g L), at most 0.01 √(g L).
+IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
+  const auto& d = c.dynamics;
+  IntegratorOptions o;
+  o.rtol = d.rtol;
+  o.atol_position = d.atol_position.value_or(0.1 * d.rtol * model.size);
+  o.atol_velocity = d.atol_velocity.value_or(std::min(0.01, 100 * d.rtol) * std::sqrt(model.gravity * model.size));
+  o.max_order = d.max_order;
+  o.first_step = d.first_step;
+  o.max_step = d.max_step;
+  return o;
+}
+
+std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& model, EventSource* events, Recorder& recorder, Progress& progress) {
+  auto options = integrator_options(c, model);
+  const auto& d = c.dynamics;
+  if (d.integrator == IntegratorKind::rk4) {
+    const Vector still = Vector::Zero(model.initial.size());
+    const auto limit = rk4_stability_limit(*model.system, {0, model.initial, still});
+    recorder.statistic("rk4_stable_step_s", limit.step, "largest stable step of the Runge-Kutta method, from the stiffest mode of the start [s]");
+    recorder.statistic("stiffest_angular_frequency_per_s", limit.angular_frequency, "of the stiffest mode of the start [1/s]");
+    options.fixed_step = d.step.value_or(0.8 * limit.step);
+    progress.say(fmt::format("RK4: stable up to a step of {:.3g} s (stiffest mode {:.4g} rad/s, damping rate {:.4g} 1/s); taking {:.3g} s", limit.step,
+                             limit.angular_frequency, limit.damping_rate, options.fixed_step));
+    if (options.fixed_step > limit.step)
+      recorder.warn(fmt::format("dynamics.step = {:.3g} s is above the stability limit of {:.3g} s: the motion will blow up", options.fixed_step, limit.step));
+    return make_rk4(*model.system, options, events);
+  }
+  auto solver = make_linear_solver(solver_kind(d.linear_solver));
+  if (d.integrator == IntegratorKind::ida) return make_ida(*model.system, std::move(solver), options, events);
+  return make_cvode(*model.system, std::move(solver), options, events);
+}
+
+class Watch final : public DynamicsObserver {
+ public:
+  Watch(const Case& c, Recorder& recorder, Progress& progress) : case_(c), recorder_(recorder), progress_(progress), start_(Clock::now()), last_checkpoint_(start_) {}
+
+  void attach(Dynamics& dynamics) { dynamics_ = &dynamics; }
+
+  void frame(const State& all, const EnergyAudit::Balance& balance) override {
+    recorder_.frame(all, balance);
+  }
+
+  void step(const State& all, const StepReport& report, const Integrator& integrator) override {
+    const auto contact = recorder_.step(all);
+    const auto s = integrator.statistics();
+    const auto since = [](long now, long& before) { return static_cast<double>(now - std::exchange(before, now)); };
+    recorder_.step_values({{"time", report.time},
+                           {"step_size", report.step_size},
+                           {"order", report.order},
+                           {"newton_iterations", since(s.newton_iterations, newton_)},
+                           {"linear_iterations", since(s.linear.linear_iterations, linear_)},
+                           {"error_test_failures", since(s.error_test_failures, error_failures_)},
+                           {"convergence_failures", since(s.step_solve_failures, solve_failures_)},
+                           {"contacts", contact.contacts}});
+    last_step_size_ = report.step_size;
+    if (!checkpoint_written_ || Clock::now() - last_checkpoint_ > checkpoint_every) checkpoint();
+    if (progress_.due())
+      progress_.show(fmt::format("t = {:.4f} s, step {:.2e} s, order {}, {} steps, {} Newton iterations, {} contacts", report.time, report.step_size, report.order,
+                                 s.steps, s.newton_iterations, contact.contacts),
+                     report.time / case_.output.frame_times.back());
+  }
+
+  [[nodiscard]] bool wants_to_stop() override {
+    if (case_.dynamics.time_limit && std::chrono::duration<double>(Clock::now() - start_).count() > *case_.dynamics.time_limit) out_of_time_ = true;
+    return out_of_time_ || InterruptGuard::requested();
+  }
+  [[nodiscard]] bool out_of_time() const { return out_of_time_; }
+
+  void checkpoint() {
+    const auto at = dynamics_->last();
+    recorder_.checkpoint(at, dynamics_->audit().at(at), dynamics_->audit().initial_energy(), last_step_size_);
+    checkpoint_written_ = true;
+    last_checkpoint_ = Clock::now();
+  }
+
+ private:
+  const Case& case_;
+  Recorder& recorder_;
+  Progress& progress_;
+  Dynamics* dynamics_ = nullptr;
+  Clock::time_point start_, last_checkpoint_;
+  bool checkpoint_written_ = false, out_of_time_ = false;
+  double last_step_size_ = 0;
+  long newton_ = 0, linear_ = 0, error_failures_ = 0, solve_failures_ = 0;
+};
+
+void record_statistics(const IntegratorStatistics& s, const EnergyAudit::Balance& balance, Recorder& recorder) {
+  const auto integer = [&](const char* name, long value, const char* description) { recorder.statistic(name, static_cast<std::int64_t>(value), description); };
+  integer("steps", s.steps, "accepted steps of the integrator");
+  integer("force_evaluations", s.force_evaluations, "evaluations of all forces by the integrator");
+  integer("newton_iterations", s.newton_iterations, "iterations of Newton's method");
+  integer("error_test_failures", s.error_test_failures, "steps that the error test refused");
+  integer("step_solve_failures", s.step_solve_failures, "steps that Newton's method could not solve");
+  integer("restarts", s.restarts, "restarts of the integrator at events");
+  integer("factorizations", s.linear.factorizations, "matrices factored");
+  integer("linear_solves", s.linear.solves, "linear systems solved");
+  integer("linear_iterations", s.linear.linear_iterations, "iterations of the linear solver");
+  recorder.statistic("assembly_seconds", s.linear.assembly_seconds, "wall-clock time in assembling tangents [s]");
+  recorder.statistic("factor_seconds", s.linear.factor_seconds, "wall-clock time in factoring [s]");
+  recorder.statistic("solve_seconds", s.linear.solve_seconds, "wall-clock time in linear solves [s]");
+  recorder.statistic("method_dissipated_J", balance.method_dissipated, "energy that the integration method itself lost (gained, if negative) [J]");
+}
+
+}  // namespace
+
+AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress) {
+  std::unique_ptr<Impact> impact;
+  if (c.contact.restitution && model.contact)
+    impact = std::make_unique<Impact>(*model.contact, model.system->mass(), *c.contact.restitution, c.contact.restitution_speed);
+  const auto integrator = make_integrator(c, model, impact.get(), recorder, progress);
+  Watch watch(c, recorder, progress);
+  Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get());
+  watch.attach(dynamics);
+
+  AnalysisEnd end;
+  try {
+    DynamicsEnd how = DynamicsEnd::reached;
+    if (const auto& restart = recorder.restart()) {
+      progress.say(fmt::format("resuming at t = {:.6g} s after {} frames", restart->time, recorder.frames()));
+      dynamics.carry_over(restart->balance, restart->initial_energy);
+      how = dynamics.run(restart->time, restart->q, restart->v, false);
+    } else {
+      how = dynamics.run(0, model.initial, Vector::Zero(model.initial.size()), true);
+    }
+    if (how == DynamicsEnd::stopped && watch.out_of_time())
+      end = {ResultStatus::failed, fmt::format("time limit of {:g} s reached at t = {:.6g} s: continue with --resume, or raise dynamics.time_limit",
+                                               *c.dynamics.time_limit, dynamics.last().time)};
+    else if (how == DynamicsEnd::stopped)
+      end = {ResultStatus::interrupted, fmt::format("interrupted at t = {:.6g} s: continue with --resume", dynamics.last().time)};
+  } catch (const IntegrationFailure& failure) {
+    end = {ResultStatus::failed, failure.what()};
+  }
+  const auto last = dynamics.last();
+  const auto balance = dynamics.audit().at(last);
+  if (last.q.allFinite() && last.v.allFinite()) watch.checkpoint();
+  record_statistics(integrator->statistics(), balance, recorder);
+  return end;
+}
+
+}  // namespace sundrape

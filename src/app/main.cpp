@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "sundrape/app/check.hpp"
+#include "sundrape/app/run.hpp"
+#include "sundrape/io/case_error.hpp"
+#include "sundrape/io/compare.hpp"
+#include "sundrape/io/file_error.hpp"
+#include "sundrape/io/result_info.hpp"
+#include "sundrape/version.hpp"
+
+namespace {
+
+using sundrape::ExitStatus;
+
+constexpr const char* set_help = "replace or add a key of the case, e.g. --set cloth.cells=[40,40]; repeatable";
+
+/// The command line: one subcommand a verb, each with the action that it stands for.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.set_version_flag("--version", "sundrape " + sundrape::version());
+    app_.require_subcommand(1);
+    app_.footer("Exit status: 0 done, 1 the analysis failed, 2 bad command line or case, 3 file trouble, 130 interrupted after a checkpoint.");
+    add_run();
+    add_check();
+    add_info();
+    add_compare();
+  }
+
+  int main(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+      return app_.exit(asked);
+    } catch (const CLI::ParseError& problem) {
+      fmt::print(stderr, "sundrape: {}; see sundrape --help\n", problem.what());
+      return static_cast<int>(ExitStatus::bad_input);
+    }
+    return static_cast<int>(status_);
+  }
+
+ private:
+  void add_run() {
+    auto* verb = app_.add_subcommand("run", "Run one case, whichever analysis it names, and write its result");
+    verb->add_option("CASE", run_.case_file, "case file (TOML)")->required();
+    verb->add_option("-o,--output", run_.output, "result file (HDF5); default: the case's name with .h5, in the current folder");
+    verb->add_option("--set", run_.sets, set_help)->allow_extra_args(false);
+    verb->add_option("--resume", run_.resume, "go on from the checkpoint of an earlier result; without -o that file is continued");
+    verb->add_option("--threads", run_.threads, "threads for assembly; more than one pays from some 10,000 nodes on")->check(CLI::Range(1, 1024));
+    verb->add_option("--summary", run_.summary, "write totals, final energies, extremes and times to this JSON file");
+    verb->add_flag("--force", run_.overwrite, "overwrite an existing result");
+    auto* quiet = verb->add_flag("--quiet", quiet_, "print nothing but errors");
+    verb->add_flag("-v,--verbose", verbose_, "print progress more often")->excludes(quiet);
+    verb->callback([this] {
+      if (quiet_) run_.verbosity = sundrape::Verbosity::quiet;
+      if (verbose_) run_.verbosity = sundrape::Verbosity::verbose;
+      status_ = sundrape::run_case(run_);
+    });
+  }
+
+  void add_check() {
+    auto* verb = app_.add_subcommand("check", "Parse a case, print every resolved value in SI and estimate its size; runs nothing");
+    verb->add_option("CASE", run_.case_file, "case file (TOML)")->required();
+    verb->add_option("--set", run_.sets, set_help)->allow_extra_args(false);
+    verb->callback([this] { std::cout << sundrape::check_case(run_.case_file, run_.sets); });
+  }
+
+  void add_info() {
+    auto* verb = app_.add_subcommand("info", "Say what is in a result: case, mesh, frames, energies, statistics, warnings");
+    verb->add_option("RESULT", a_, "result file (HDF5)")->required();
+    verb->add_flag("--json", json_, "as JSON");
+    verb->callback([this] {
+      const sundrape::ResultReader result(a_);
+      std::cout << (json_ ? sundrape::info_json(result).dump(2) + "\n" : sundrape::info_text(result));
+    });
+  }
+
+  void add_compare() {
+    auto* verb = app_.add_subcommand("compare", "Compare two results on the same mesh: node distances, energies, time series");
+    verb->add_option("A", a_, "result file (HDF5)")->required();
+    verb->add_option("B", b_, "result file (HDF5)")->required();
+    verb->add_flag("--json", json_, "as JSON");
+    verb->callback([this] {
+      const auto comparison = sundrape::compare(sundrape::ResultReader(a_), sundrape::ResultReader(b_));
+      std::cout << (json_ ? sundrape::to_json(comparison).dump(2) + "\n" : sundrape::to_text(comparison));
+    });
+  }
+
+  CLI::App app_{"sundrape integrates cloth in time as the mechanical system it is", "sundrape"};
+  sundrape::RunOptions run_;
+  std::string a_, b_;
+  bool json_ = false, quiet_ = false, verbose_ = false;
+  ExitStatus status_ = ExitStatus::done;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto fail = [](const std::exception& problem, ExitStatus status) {
+    std::cout.flush();
+    fmt::print(stderr, "{}\n", problem.what());
+    return static_cast<int>(status);
+  };
+  try {
+    return CommandLine().main(argc, argv);
+  } catch (const sundrape::CaseError& problem) {
+    return fail(problem, ExitStatus::bad_input);
+  } catch (const sundrape::FileError& problem) {
+    return fail(problem, ExitStatus::file_trouble);
+  } catch (const std::system_error& problem) {
+    return fail(problem, ExitStatus::file_trouble);
+  } catch (const std::exception& problem) {
+    return fail(problem, ExitStatus::failed);
+  }
+}

@@ -1,0 +1,205 @@
+#include "sundrape/app/model.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "sundrape/app/obstacles.hpp"
+#include "sundrape/force/dead_load.hpp"
+#include "sundrape/force/drag.hpp"
+#include "sundrape/force/particle_net.hpp"
+#include "sundrape/force/pressure.hpp"
+#include "sundrape/io/case_error.hpp"
+#include "sundrape/mesh/builders.hpp"
+#include "sundrape/mesh/import.hpp"
+#include "sundrape/mesh/waviness.hpp"
+
+namespace sundrape {
+namespace {
+
+template <class... Visitors>
+struct Overload : Visitors... {
+  using Visitors::operator()...;
+};
+
+QuadMesh build_mesh(const ClothCase& cloth) {
+  return std::visit(Overload{[](const RectangleShape& s) { return rectangle(s.length, s.width, s.cells_warp, s.cells_weft); },
+                             [](const DiscShape& s) { return disc(s.radius, s.cells); },
+                             [](const AnnulusShape& s) { return annulus(s.inner_radius, s.outer_radius, s.cells_radial, s.cells_around); },
+                             [](const MeshShape& s) {
+                               try {
+                                 return read_obj(s.file, s.unit);
+                               } catch (const std::exception& problem) {
+                                 throw CaseError(s.source, problem.what());
+                               }
+                             }},
+                    cloth.shape);
+}
+
+std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
+  const Eigen::AngleAxisd turn(place.angle, place.axis.normalized());
+  std::vector<Vector3> placed;
+  placed.reserve(rest.size());
+  for (const auto& x : rest) placed.push_back(turn * x + place.translate);
+  return placed;
+}
+
+Vector flatten(const std::vector<Vector3>& positions) {
+  Vector q(static_cast<Eigen::Index>(3 * positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i) q.segment<3>(static_cast<Eigen::Index>(3 * i)) = positions[i];
+  return q;
+}
+
+std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std::vector<Vector3>& placed, const SourceLine& source) {
+  std::vector<int> nodes;
+  try {
+    nodes = select(selector, mesh, placed);
+  } catch (const std::invalid_argument& problem) {
+    throw CaseError(source, problem.what());
+  }
+  if (nodes.empty()) throw CaseError(source, "selects no node of the cloth");
+  return nodes;
+}
+
+struct Supports {
+  std::vector<Unknowns::Held> held;
+  std::vector<bool> clamped;
+};
+
+Supports support(const Case& c, CaseModel& model, const std::vector<Vector3>& placed) {
+  const auto n = placed.size();
+  Supports s{std::vector<Unknowns::Held>(n, Unknowns::Held{}), std::vector<bool>(n, false)};
+  for (const auto& fix : c.fixes) {
+    auto nodes = pick(fix.nodes, model.mesh, placed, fix.source);
+    for (const int node : nodes) {
+      const auto i = static_cast<std::size_t>(node);
+      for (std::size_t k = 0; k < 3; ++k) s.held[i][k] = s.held[i][k] || fix.components[k];
+      if (fix.rotation) s.clamped[i] = true;
+    }
+    model.reactions.push_back({fix.name, std::move(nodes)});
+  }
+  return s;
+}
+
+/// Shares a total over nodes as dead nodal forces.
+Vector equal_shares(const std::vector<int>& nodes, const Vector3& total, int points) {
+  Vector forces = Vector::Zero(3 * static_cast<Eigen::Index>(points));
+  for (const int n : nodes) point(forces, n) += total / static_cast<double>(nodes.size());
+  return forces;
+}
+
+using Terms = std::vector<std::unique_ptr<ForceTerm>>;
+
+void add_loads(const Case& c, CaseModel& model, const Threads& threads, const std::vector<Vector3>& placed, const Vector& mass, Terms& terms) {
+  Vector3 gravity = Vector3::Zero();
+  for (const auto& load : c.loads) {
+    const Ramp ramp{load.ramp};
+    std::visit(Overload{[&](const GravityLoad& g) {
+                          gravity += g.acceleration;
+                          terms.push_back(std::make_unique<DeadLoad>("gravity", EnergyKind::gravity, weight(mass, g.acceleration), ramp));
+                        },
+                        [&](const ForceLoad& f) {
+                          const auto nodes = pick(f.nodes, model.mesh, placed, load.source);
+                          terms.push_back(std::make_unique<DeadLoad>("force", EnergyKind::load, equal_shares(nodes, f.total, model.mesh.nodes()), ramp));
+                        },
+                        [&](const TractionLoad& t) {
+                          const auto nodes = pick(t.nodes, model.mesh, placed, load.source);
+                          const auto lengths = tributary_edge_lengths(model.mesh, nodes);
+                          Vector forces = Vector::Zero(3 * static_cast<Eigen::Index>(model.mesh.nodes()));
+                          for (const int n : nodes) point(forces, n) = lengths[static_cast<std::size_t>(n)] * t.per_length;
+                          if (std::ranges::all_of(lengths, [](double l) { return l == 0; }))
+                            throw CaseError(load.source, "a traction needs nodes along an edge of the cloth; no boundary edge has both its ends among these");
+                          terms.push_back(std::make_unique<DeadLoad>("traction", EnergyKind::load, std::move(forces), ramp));
+                        },
+                        [&](const MomentLoad& m) {
+                          const auto nodes = pick(m.nodes, model.mesh, placed, load.source);
+                          try {
+                            terms.push_back(std::make_unique<EdgeMoment>(moment_on_edge(model.mesh, threads, nodes, m.total), ramp));
+                          } catch (const std::invalid_argument& problem) {
+                            throw CaseError(load.source, problem.what());
+                          }
+                        },
+                        [&](const PressureLoad& p) { terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, ramp)); }},
+               load.load);
+  }
+  model.weight = mass.sum() * gravity.norm();
+  model.gravity = gravity.norm() > 0 ? gravity.norm() : 9.80665;
+}
+
+double mean_edge_length(const Threads& threads) {
+  double sum = 0;
+  for (const auto& s : threads.segments) sum += s.length;
+  return sum / static_cast<double>(threads.segments.size());
+}
+
+void add_contact(const Case& c, CaseModel& model, const Threads& threads, Terms& terms) {
+  if (c.obstacles.empty()) return;
+  std::vector<std::shared_ptr<const Obstacle>> obstacles;
+  for (const auto& obstacle : c.obstacles) {
+    auto built = build_obstacle(obstacle);
+    obstacles.push_back(std::move(built.obstacle));
+    model.obstacles.push_back(std::move(built.record));
+  }
+  const double weight_per_area = c.fabric.area_density * model.gravity;
+  const double stiffness = c.contact.stiffness.value_or(
+      suggested_stiffness({.weight_per_area = weight_per_area, .diagonal = diagonal(model.mesh), .edge_length = mean_edge_length(threads)}, c.contact.penetration));
+  auto term = std::make_unique<ObstacleContact>(std::move(obstacles), tributary_areas(model.mesh), ContactLaw(stiffness, c.contact.smoothing));
+  model.contact = term.get();
+  terms.push_back(std::move(term));
+}
+
+double longest_side(const std::vector<Vector3>& positions) {
+  Eigen::AlignedBox3d box;
+  for (const auto& x : positions) box.extend(x);
+  return box.sizes().maxCoeff();
+}
+
+/// Relaxation starts from a slightly imperfect sheet: a flat symmetric one ends on a saddle.
+double waviness(const Case& c, double thickness_scale) {
+  if (c.cloth.waviness_amplitude > 0 || c.cloth.waviness_given.value_or(false) || c.analysis != Analysis::relaxation) return c.cloth.waviness_amplitude;
+  return std::min(1e-5, 0.02 * thickness_scale);
+}
+
+}  // namespace
+
+CaseModel build_model(const Case& c) {
+  CaseModel model;
+  model.mesh = build_mesh(c.cloth);
+  model.size = longest_side(model.mesh.reference);
+  const auto placed = place(model.mesh.reference, c.cloth.place);
+  const auto threads = find_threads(model.mesh);
+  const auto supports = support(c, model, placed);
+  for (const auto& probe : c.output.probes) model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
+
+  const Vector mass = lumped_mass(model.mesh, c.fabric);
+  auto terms = particle_net(model.mesh, threads, c.fabric, placed, supports.clamped);
+  model.threads = dynamic_cast<const StretchSprings*>(terms.at(0).get());
+  for (const auto& term : terms)
+    if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends = bends;
+  add_loads(c, model, threads, placed, mass, terms);
+  if (c.fabric.damping.mass > 0) terms.push_back(std::make_unique<Drag>(mass, c.fabric.damping.mass));
+  add_contact(c, model, threads, terms);
+
+  auto start = wavy(model.mesh, placed, waviness(c, c.fabric.thickness), c.cloth.waviness_seed);
+  for (std::size_t i = 0; i < start.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (supports.held[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
+  model.initial = flatten(start);
+  Unknowns unknowns(supports.held);
+  if (unknowns.rows() == 0) throw CaseError(c.fixes.front().source, "every node of the cloth is held: nothing is left to move");
+  model.system = std::make_unique<System>(mass, std::move(terms), std::move(unknowns), model.initial);
+  return model;
+}
+
+Vector3 reaction(const System& system, const State& all, const std::vector<int>& nodes) {
+  Vector f = Vector::Zero(all.q.size());
+  system.force(all, f);
+  Vector3 sum = Vector3::Zero();
+  for (const int n : nodes)
+    for (int k = 0; k < 3; ++k)
+      if (system.unknowns().is_held(n, k)) sum[k] += f[3 * n + k];
+  return sum;
+}
+
+}  // namespace sundrape

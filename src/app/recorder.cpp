@@ -1,0 +1,156 @@
+#include "sundrape/app/recorder.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "sundrape/io/file_error.hpp"
+#include "sundrape/io/result_reader.hpp"
+#include "sundrape/statics/relaxation.hpp"
+#include "sundrape/version.hpp"
+
+namespace sundrape {
+namespace {
+
+ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepColumn> columns, std::uint64_t expected_frames) {
+  ResultHeader h;
+  h.title = c.title;
+  h.model = "particle";
+  h.analysis = c.analysis == Analysis::dynamics ? "dynamics" : "relaxation";
+  h.case_text = c.text;
+  h.version = version();
+  h.mesh = model.mesh;
+  h.expected_frames = expected_frames;
+  for (const auto& set : model.reactions) h.reaction_sets.push_back(set.name);
+  h.probes = model.probes;
+  h.step_columns = std::move(columns);
+  h.obstacles = model.obstacles;
+  return h;
+}
+
+Vector as_vector(const std::vector<double>& values) { return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())); }
+std::vector<double> as_list(ConstVectorRef v) { return {v.data(), v.data() + v.size()}; }
+
+Recorder::Restart read_restart(const ResultReader& earlier, const std::filesystem::path& file, Eigen::Index size) {
+  const auto checkpoint = earlier.checkpoint();
+  if (!checkpoint) throw FileError(file.string() + ": holds no checkpoint to resume from");
+  const auto& arrays = checkpoint->arrays;
+  const auto get = [&](const char* name) -> const std::vector<double>& {
+    const auto found = arrays.find(name);
+    if (found == arrays.end()) throw FileError(file.string() + ": its checkpoint lacks '" + name + "'");
+    return found->second;
+  };
+  const auto& books = get("books");
+  Recorder::Restart r{.time = get("time").at(0), .q = as_vector(get("q")), .v = as_vector(get("v")), .balance = {}, .initial_energy = books.at(2), .step_size = books.at(3)};
+  if (r.q.size() != size || r.v.size() != size) throw FileError(file.string() + ": its checkpoint belongs to another mesh");
+  r.balance.dissipated = books.at(0);
+  r.balance.external_work = books.at(1);
+  return r;
+}
+
+ResultWriter open_writer(const ResultHeader& header, const Recorder::Files& files, std::optional<Recorder::Restart>& restart) {
+  if (!files.resume) return {files.output, header};
+  const ResultReader earlier(*files.resume);
+  restart = read_restart(earlier, *files.resume, static_cast<Eigen::Index>(3 * header.mesh.reference.size()));
+  return ResultWriter::resume(files.output, header, earlier);
+}
+
+}  // namespace
+
+Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns, std::uint64_t expected_frames)
+    : case_(c),
+      model_(model),
+      header_(header_of(c, model, std::move(columns), expected_frames)),
+      writer_(open_writer(header_, files, restart_)),
+      xdmf_(files.output, header_) {
+  if (files.resume) {
+    const ResultReader earlier(files.output);
+    xdmf_.set_frames(earlier.frame_values());
+  }
+}
+
+void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots) {
+  Frame f;
+  f.variable = all.time;
+  f.position = all.q;
+  f.velocity = all.v;
+  const auto& e = balance.energies;
+  f.energies = {.kinetic = e.kinetic, .membrane = e.membrane, .shear = e.shear, .bending = e.bending, .gravity = e.gravity, .contact = e.contact,
+                .dissipated = balance.dissipated, .external_work = balance.external_work, .method_dissipated = balance.method_dissipated};
+  f.residual = relative_residual(*model_.system, all, case_.fabric.area_density * model_.gravity * model_.size * model_.size);
+  f.negative_pivots = negative_pivots.value_or(-1);
+  if (model_.contact) {
+    const Vector still = Vector::Zero(all.v.size());
+    f.contact_force = Vector::Zero(all.q.size());
+    model_.contact->add_force({all.time, all.q, still}, f.contact_force);
+    f.penetration = model_.contact->report(all).deepest_penetration;
+  }
+  for (const auto& set : model_.reactions) f.reactions.push_back(reaction(*model_.system, all, set.nodes));
+  const auto [smallest, largest] = model_.threads->strain_range(all.q);
+  extremes_.largest_edge_strain = std::max(extremes_.largest_edge_strain, largest);
+  extremes_.smallest_edge_strain = std::min(extremes_.smallest_edge_strain, smallest);
+  if (model_.bends) extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, model_.bends->largest_angle(all.q));
+  writer_.append_frame(f);
+  xdmf_.add_frame(f.variable);
+  last_ = std::move(f);
+}
+
+ContactReport Recorder::step(const State& all) {
+  if (!model_.probes.empty()) writer_.append_probes(all.time, all.q, all.v);
+  if (!model_.contact) return {};
+  auto report = model_.contact->report(all);
+  extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
+  return report;
+}
+
+void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size) {
+  Checkpoint c;
+  c.arrays = {{"time", {all.time}}, {"q", as_list(all.q)}, {"v", as_list(all.v)}, {"books", {balance.dissipated, balance.external_work, initial_energy, step_size}}};
+  writer_.write_checkpoint(c);
+}
+
+void Recorder::warn(const std::string& text) {
+  warnings_.push_back(text);
+  writer_.add_warning(text);
+}
+
+void Recorder::statistic(const std::string& name, StatisticValue value, const std::string& description) {
+  writer_.set_statistic(name, value, description);
+  statistics_.push_back({name, std::move(value), description});
+}
+
+nlohmann::json Recorder::summary(const std::string& status, const std::string& message) const {
+  nlohmann::json j{{"title", case_.title}, {"model", header_.model}, {"analysis", header_.analysis}, {"status", status}, {"sundrape_version", header_.version}};
+  if (!message.empty()) j["message"] = message;
+  j["mesh"] = {{"nodes", model_.mesh.nodes()}, {"quads", model_.mesh.quads.size()}};
+  j["frames"] = writer_.frames();
+  const auto& e = last_.energies;
+  j["final"] = {{"variable", last_.variable},
+                {"residual", last_.residual},
+                {"negative_pivots", last_.negative_pivots},
+                {"energy_J",
+                 {{"kinetic", e.kinetic}, {"membrane", e.membrane}, {"shear", e.shear}, {"bending", e.bending}, {"gravity", e.gravity}, {"contact", e.contact},
+                  {"dissipated", e.dissipated}, {"external_work", e.external_work}, {"method_dissipated", e.method_dissipated}}}};
+  if (last_.contact_force.size() > 0) {
+    Vector3 sum = Vector3::Zero();
+    for (int i = 0; i < model_.mesh.nodes(); ++i) sum += point(last_.contact_force, i);
+    j["final"]["contact_force_sum_N"] = {sum.x(), sum.y(), sum.z()};
+  }
+  for (std::size_t k = 0; k < last_.reactions.size(); ++k)
+    j["final"]["reaction_N"][model_.reactions[k].name] = {last_.reactions[k].x(), last_.reactions[k].y(), last_.reactions[k].z()};
+  j["weight_N"] = model_.weight;
+  j["largest_edge_strain"] = extremes_.largest_edge_strain;
+  j["smallest_edge_strain"] = extremes_.smallest_edge_strain;
+  j["deepest_penetration_m"] = extremes_.deepest_penetration;
+  j["sharpest_bend_deg"] = extremes_.sharpest_bend * 180 / std::numbers::pi;
+  for (const auto& s : statistics_) std::visit([&](const auto& value) { j[s.name] = value; }, s.value);
+  j["warnings"] = warnings_;
+  return j;
+}
+
+void Recorder::finish(ResultStatus status, const std::string& message) {
+  writer_.finish(status, message);
+  xdmf_.write();
+}
+
+}  // namespace sundrape

@@ -1,0 +1,135 @@
+#include "sundrape/statics/relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "sundrape/app/analyses.hpp"
+#include "sundrape/app/interrupt.hpp"
+#include "sundrape/statics/chapter_relaxation.hpp"
+#include "sundrape/statics/stability.hpp"
+
+namespace sundrape {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int frame_every = 5;   // iterations
+
+SolverKind solver_kind(const Case& c) {
+  if (c.relaxation.linear_solver == "lu") return SolverKind::lu;
+  if (c.relaxation.linear_solver == "cg") return SolverKind::conjugate_gradients;
+  if (c.relaxation.linear_solver == "cholesky") return SolverKind::cholesky;
+  // "auto": a pressure that follows the faces has no symmetric tangent
+  for (const auto& load : c.loads)
+    if (std::holds_alternative<PressureLoad>(load.load)) return SolverKind::lu;
+  return SolverKind::cholesky;
+}
+
+/// Loads without a potential do no work that a fictitious motion could account for; what dead loads did is exact.
+EnergyAudit::Balance balance_of(const System& system, const State& all, double initial_load) {
+  EnergyAudit::Balance b;
+  b.energies = system.energies(all);
+  b.external_work = initial_load - b.energies.load;
+  return b;
+}
+
+class Watch final : public RelaxationObserver {
+ public:
+  Watch(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress, double initial_load)
+      : case_(c), model_(model), recorder_(recorder), progress_(progress), initial_load_(initial_load), start_(Clock::now()) {}
+
+  void step(const State& all, const RelaxationStep& step) override {
+    const auto contact = recorder_.step(all);
+    recorder_.step_values({{"time", step.time}, {"step_size", step.step_size}, {"residual", step.residual}, {"newton_iterations", 1}, {"contacts", contact.contacts}, {"negative_pivots", -1}});
+    if (++steps_ % frame_every == 0 && step.residual > case_.relaxation.tolerance) {
+      recorder_.frame(all, balance_of(*model_.system, all, initial_load_));
+      checkpoint(all, step.step_size);
+    }
+    if (progress_.due()) progress_.show(fmt::format("iteration {}, residual {:.2e}, step {:.2e} s, {} contacts", step.iteration, step.residual, step.step_size, contact.contacts), -1);
+  }
+
+  [[nodiscard]] bool wants_to_stop() override {
+    if (case_.relaxation.time_limit && std::chrono::duration<double>(Clock::now() - start_).count() > *case_.relaxation.time_limit) out_of_time_ = true;
+    return out_of_time_ || InterruptGuard::requested();
+  }
+  [[nodiscard]] bool out_of_time() const { return out_of_time_; }
+
+  void checkpoint(const State& all, double step_size) { recorder_.checkpoint(all, balance_of(*model_.system, all, initial_load_), 0, step_size); }
+
+ private:
+  const Case& case_;
+  const CaseModel& model_;
+  Recorder& recorder_;
+  Progress& progress_;
+  double initial_load_;
+  Clock::time_point start_;
+  bool out_of_time_ = false;
+  int steps_ = 0;
+};
+
+double shortest_edge(const QuadMesh& mesh) {
+  double shortest = diagonal(mesh);
+  for (const auto& quad : mesh.quads)
+    for (std::size_t k = 0; k < 4; ++k)
+      shortest = std::min(shortest, (mesh.reference[static_cast<std::size_t>(quad[k])] - mesh.reference[static_cast<std::size_t>(quad[(k + 1) % 4])]).norm());
+  return shortest;
+}
+
+}  // namespace
+
+AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress) {
+  const auto& system = *model.system;
+  const double swing = std::sqrt(model.size / model.gravity);   // time scale of motion under gravity [s]
+  const double force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
+  Vector q = model.initial;
+  double first_step = c.relaxation.first_step.value_or(0.01 * swing);
+  if (const auto& restart = recorder.restart()) {
+    q = restart->q;
+    first_step = restart->step_size;
+    progress.say(fmt::format("resuming after {} frames", recorder.frames()));
+  }
+  const Vector still = Vector::Zero(q.size());
+  const double initial_load = system.energies({0, model.initial, still}).load;
+  Watch watch(c, model, recorder, progress, initial_load);
+  if (!recorder.restart()) recorder.frame({0, q, still}, balance_of(system, {0, q, still}, initial_load));
+
+  RelaxationResult result;
+  if (c.relaxation.scheme == "chapter") {
+    result = relax_as_in_chapter(system,
+                                 {.c_disp = c.relaxation.c_disp.value_or(0), .c_acc = c.relaxation.c_acc.value_or(-1), .edge_length = shortest_edge(model.mesh), .force_scale = force_scale},
+                                 q, watch);
+  } else {
+    const auto solver = make_linear_solver(solver_kind(c));
+    result = relax(system, *solver,
+                   {.tolerance = c.relaxation.tolerance, .max_iterations = c.relaxation.max_iterations, .first_step = first_step, .growth = c.relaxation.growth, .force_scale = force_scale}, q, watch);
+  }
+
+  const State last{static_cast<double>(result.iterations), q, still};
+  recorder.statistic("iterations", static_cast<std::int64_t>(result.iterations), "steps of the relaxation");
+  recorder.statistic("factorizations", static_cast<std::int64_t>(result.factorizations), "matrices factored");
+  recorder.statistic("residual", result.residual, "|out-of-balance force| / |external force| at the end");
+  AnalysisEnd end;
+  std::optional<int> pivots;
+  if (result.end == RelaxationEnd::converged) {
+    pivots = negative_pivots(system, last, 1e-3 / swing);
+    recorder.statistic("negative_pivots", static_cast<std::int64_t>(pivots.value_or(-1)), "of the tangent at the end: 0 means a stable equilibrium, -1 that the factorisation broke down");
+    if (!pivots)
+      recorder.warn("the stability of this equilibrium is not known: the tangent's factorisation broke down");
+    else if (*pivots > 0)
+      recorder.warn(fmt::format("this equilibrium is unstable: its tangent has {} negative pivots; another cloth.waviness leads to a stable one", *pivots));
+  } else if (watch.out_of_time()) {
+    end = {ResultStatus::failed, fmt::format("time limit of {:g} s reached with residual {:.3g}: continue with --resume, or raise relaxation.time_limit", *c.relaxation.time_limit, result.residual)};
+  } else if (result.end == RelaxationEnd::stopped) {
+    end = {ResultStatus::interrupted, fmt::format("interrupted with residual {:.3g}: continue with --resume", result.residual)};
+  } else {
+    end = {ResultStatus::failed, result.diagnosis};
+  }
+  if (q.allFinite()) {
+    recorder.frame(last, balance_of(system, last, initial_load), pivots);
+    watch.checkpoint(last, first_step);
+  }
+  return end;
+}
+
+}  // namespace sundrape

@@ -1,0 +1,99 @@
+#include "sundrape/app/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "sundrape/app/analyses.hpp"
+#include "sundrape/app/interrupt.hpp"
+#include "sundrape/io/case_error.hpp"
+#include "sundrape/io/case_reader.hpp"
+#include "sundrape/io/file_error.hpp"
+
+namespace sundrape {
+namespace {
+
+std::filesystem::path output_path(const RunOptions& options) {
+  if (options.output) return *options.output;
+  if (options.resume) return *options.resume;
+  return options.case_file.stem().string() + ".h5";
+}
+
+void require_room(const RunOptions& options, const std::filesystem::path& output) {
+  const bool goes_on = options.resume && std::filesystem::exists(*options.resume) && std::filesystem::exists(output) && std::filesystem::equivalent(*options.resume, output);
+  if (std::filesystem::exists(output) && !options.overwrite && !goes_on)
+    throw FileError(fmt::format("{}: exists already; choose another -o, or overwrite it with --force", output.string()));
+  const auto folder = output.parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) throw FileError(fmt::format("{}: its folder does not exist", output.string()));
+}
+
+/// What a user should know about the numbers before using them.
+void warn_of_extremes(const Case& c, Recorder& recorder) {
+  const auto& e = recorder.extremes();
+  if (e.deepest_penetration > c.contact.penetration)
+    recorder.warn(fmt::format("the cloth sank {:.3g} mm into an obstacle, more than the {:.3g} mm allowed: raise contact.stiffness", 1e3 * e.deepest_penetration, 1e3 * c.contact.penetration));
+  if (e.largest_edge_strain > 0.05)
+    recorder.warn(fmt::format("threads stretched by up to {:.1f} %: the fabric's modulus may be too small, or a load too large", 100 * e.largest_edge_strain));
+  if (e.sharpest_bend > 150 * std::numbers::pi / 180)
+    recorder.warn(fmt::format("a thread folds by {:.0f}° from one edge to the next: the mesh is too coarse for this fold", e.sharpest_bend * 180 / std::numbers::pi));
+}
+
+void write_summary(const std::filesystem::path& file, const nlohmann::json& summary) {
+  std::ofstream out(file);
+  out << summary.dump(2) << '\n';
+  if (!out.flush()) throw FileError(fmt::format("{}: cannot be written", file.string()));
+}
+
+std::string report(const nlohmann::json& s, const std::filesystem::path& output) {
+  const auto& final = s.at("final");
+  std::string text = fmt::format("{}: {} frames in {}", s.at("status").get<std::string>(), s.at("frames").get<int>(), output.string());
+  text += fmt::format("\n  wall {:.2f} s, CPU {:.2f} s", s.at("wall_seconds").get<double>(), s.at("cpu_seconds").get<double>());
+  if (s.contains("steps"))
+    text += fmt::format("; {} steps, {} Newton iterations, {} refused, method dissipated {:.3g} J", s.at("steps").get<long>(), s.at("newton_iterations").get<long>(),
+                        s.at("error_test_failures").get<long>() + s.at("step_solve_failures").get<long>(), final.at("energy_J").at("method_dissipated").get<double>());
+  if (s.contains("iterations"))
+    text += fmt::format("; {} iterations, residual {:.2e}, {} negative pivots", s.at("iterations").get<long>(), final.at("residual").get<double>(), final.at("negative_pivots").get<int>());
+  text += fmt::format("\n  largest edge strain {:.3g} %, deepest penetration {:.3g} mm", 100 * s.at("largest_edge_strain").get<double>(), 1e3 * s.at("deepest_penetration_m").get<double>());
+  for (const auto& warning : s.at("warnings")) text += "\n  warning: " + warning.get<std::string>();
+  return text;
+}
+
+}  // namespace
+
+ExitStatus run_case(const RunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto cpu_start = std::clock();
+  omp_set_num_threads(options.threads);
+  const Case c = read_case(options.case_file, options.sets);
+  const auto output = output_path(options);
+  require_room(options, output);
+  const CaseModel model = build_model(c);
+
+  const InterruptGuard guard;
+  const bool dynamics = c.analysis == Analysis::dynamics;
+  Recorder recorder(c, model, {output, options.resume}, dynamics ? dynamics_step_columns() : relaxation_step_columns(), dynamics ? c.output.frame_times.size() : 32);
+  AnalysisEnd end;
+  nlohmann::json summary;
+  {
+    Progress progress(options.verbosity);
+    progress.say(fmt::format("{}: {} nodes, {} unknowns, {}", c.title, model.mesh.nodes(), model.system->unknowns().size(), dynamics ? "dynamics" : "relaxation"));
+    end = dynamics ? run_dynamics(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
+    warn_of_extremes(c, recorder);
+    recorder.statistic("wall_seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), "wall-clock time [s]");
+    recorder.statistic("cpu_seconds", static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC, "processor time, all threads [s]");
+    recorder.finish(end.status, end.message);
+    summary = recorder.summary(to_string(end.status), end.message);
+    progress.say(report(summary, output));
+  }
+  if (options.summary) write_summary(*options.summary, summary);
+  if (end.status != ResultStatus::done) fmt::print(stderr, "{}: {}\n", options.case_file.string(), end.message);
+  if (end.status == ResultStatus::interrupted) return ExitStatus::interrupted;
+  return end.status == ResultStatus::done ? ExitStatus::done : ExitStatus::failed;
+}
+
+}  // namespace sundrape

@@ -1,0 +1,7 @@
+#include "sundrape/version.hpp"
+
+namespace sundrape {
+
+std::string version() { return SUNDRAPE_VERSION; }
+
+}  // namespace sundrape

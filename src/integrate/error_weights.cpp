@@ -1,0 +1,14 @@
+#include "sundrape/integrate/error_weights.hpp"
+
+namespace sundrape {
+
+void ErrorWeights::evaluate(ConstVectorRef y, VectorRef weights) const {
+  const Eigen::Index n = start.size();
+  for (Eigen::Index k = 0; k < n; k += 3) {
+    const double way = (y.segment<3>(k) - start.segment<3>(k)).norm(), speed = y.segment<3>(n + k).norm();
+    weights.segment<3>(k).setConstant(1 / (rtol * way + atol_position));
+    weights.segment<3>(n + k).setConstant(1 / (rtol * speed + atol_velocity));
+  }
+}
+
+}  // namespace sundrape

@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+#include <ida/ida.h>
+
+#include "sundrape/integrate/first_order_form.hpp"
+#include "sundrape/integrate/integrator.hpp"
+#include "sundrape/integrate/sundials_support.hpp"
+
+namespace sundrape {
+namespace {
+
+using sundials::require_success;
+
+class Ida final : public Integrator {
+ public:
+  Ida(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
+      : form_(system),
+        newton_(system, std::move(solver), options.linear_tolerance),
+        weights_{options.rtol, options.atol_position, options.atol_velocity, Vector::Zero(system.unknowns().size())},
+        options_(options),
+        events_(events),
+        y_(form_.size(), context_),
+        y_dot_(form_.size(), context_),
+        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve(x, b); }); }, context_) {}
+
+  void start(double time, ConstVectorRef q, ConstVectorRef v) override {
+    auto y = y_.values();
+    y.head(q.size()) = q;
+    y.tail(v.size()) = v;
+    time_ = time;
+    matrix_time_ = matrix_c_ = -1;
+    if (!form_.rates(time, y, y_dot_.values())) throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
+    if (memory_) {
+      bank();
+      require_success(IDAReInit(memory_.get(), time, y_.get(), y_dot_.get()), "IDAReInit");
+      ++banked_.restarts;
+    } else {
+      weights_.start = q;
+      create(time);
+    }
+    const double first = last_step_ > 0 ? 0.1 * last_step_ : options_.first_step.value_or(0.0);
+    require_success(IDASetInitStep(memory_.get(), first), "IDASetInitStep");
+  }
+
+  StepReport step(double end) override {
+    require_success(IDASetStopTime(memory_.get(), end), "IDASetStopTime");
+    const int flag = IDASolve(memory_.get(), end, &time_, y_.get(), y_dot_.get(), IDA_ONE_STEP);
+    carrier_.rethrow();
+    if (flag < 0) throw IntegrationFailure(diagnosis(flag));
+    StepReport report{.time = time_, .event = flag == IDA_ROOT_RETURN};
+    IDAGetLastStep(memory_.get(), &report.step_size);
+    IDAGetLastOrder(memory_.get(), &report.order);
+    last_step_ = report.step_size;
+    return report;
+  }
+
+  void state(VectorRef q, VectorRef v) const override {
+    q = y_.values().head(q.size());
+    v = y_.values().tail(v.size());
+  }
+
+  void interpolate(double time, VectorRef q, VectorRef v) const override {
+    const sundials::StateVector at(form_.size(), context_);
+    require_success(IDAGetDky(memory_.get(), time, 0, at.get()), "IDAGetDky");
+    q = at.values().head(q.size());
+    v = at.values().tail(v.size());
+  }
+
+  [[nodiscard]] std::vector<int> fired() const override {
+    std::vector<int> roots(static_cast<std::size_t>(events_ ? events_->count() : 0));
+    if (!roots.empty()) IDAGetRootInfo(memory_.get(), roots.data());
+    return roots;
+  }
+
+  [[nodiscard]] IntegratorStatistics statistics() const override {
+    auto s = current();
+    s.steps += banked_.steps;
+    s.newton_iterations += banked_.newton_iterations;
+    s.error_test_failures += banked_.error_test_failures;
+    s.step_solve_failures += banked_.step_solve_failures;
+    s.restarts = banked_.restarts;
+    s.force_evaluations = form_.evaluations();
+    s.linear = newton_.counters();
+    return s;
+  }
+
+ private:
+  struct Free {
+    void operator()(void* memory) const { IDAFree(&memory); }
+  };
+
+  static Ida& self(void* data) { return *static_cast<Ida*>(data); }
+
+  void create(double time) {
+    memory_.reset(IDACreate(context_));
+    auto* m = memory_.get();
+    if (!m) throw std::bad_alloc();
+    require_success(IDASetErrHandlerFn(m, sundials::MessageKeeper::handle, &messages_), "IDASetErrHandlerFn");
+    require_success(IDASetMaxOrd(m, options_.max_order), "IDASetMaxOrd");
+    const auto residual = [](realtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* data) {
+      auto& me = self(data);
+      return me.carrier_.run([&] { return me.residual(t, sundials::values(y), sundials::values(y_dot), sundials::values(r)); });
+    };
+    require_success(IDAInit(m, residual, time, y_.get(), y_dot_.get()), "IDAInit");
+    require_success(IDASetUserData(m, this), "IDASetUserData");
+    const auto weigh = [](N_Vector y, N_Vector w, void* data) {
+      auto& me = self(data);
+      return me.carrier_.run([&] {
+        me.weights_.evaluate(sundials::values(y), sundials::values(w));
+        return 0;
+      });
+    };
+    require_success(IDAWFtolerances(m, weigh), "IDAWFtolerances");
+    require_success(IDASetLinearSolver(m, embedded_.get(), nullptr), "IDASetLinearSolver");
+    require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
+    require_success(IDASetMaxConvFails(m, 20), "IDASetMaxConvFails");
+    require_success(IDASetMaxErrTestFails(m, 20), "IDASetMaxErrTestFails");
+    if (options_.max_step) require_success(IDASetMaxStep(m, *options_.max_step), "IDASetMaxStep");
+    if (events_ && events_->count() > 0) {
+      const auto roots = [](realtype t, N_Vector y, N_Vector, realtype* values, void* data) {
+        auto& me = self(data);
+        return me.carrier_.run([&] {
+          me.form_.events(t, sundials::values(y), *me.events_, {values, static_cast<std::size_t>(me.events_->count())});
+          return 0;
+        });
+      };
+      require_success(IDARootInit(m, events_->count(), roots), "IDARootInit");
+      std::vector<int> falling(static_cast<std::size_t>(events_->count()), -1);
+      require_success(IDASetRootDirection(m, falling.data()), "IDASetRootDirection");
+      IDASetNoInactiveRootWarn(m);
+    }
+  }
+
+  /// r = (q̇ − v, M v̇ − f)
+  int residual(double t, ConstVectorRef y, ConstVectorRef y_dot, VectorRef r) {
+    const auto n = form_.size() / 2;
+    if (!form_.forces(t, y, r.tail(n))) return 1;
+    r.head(n) = y_dot.head(n) - y.tail(n);
+    for (int row = 0; row < form_.system().unknowns().rows(); ++row)
+      r.segment<3>(n + 3 * row) = form_.system().row_mass()[row] * y_dot.segment<3>(n + 3 * row) - r.segment<3>(n + 3 * row);
+    for (const auto& [row, component] : form_.system().unknowns().held_components()) r[n + 3 * row + component] = y_dot[n + 3 * row + component];
+    return 0;
+  }
+
+  int solve(N_Vector x, N_Vector b) {
+    realtype t = 0, c = 0;
+    N_Vector predicted = nullptr, predicted_dot = nullptr, y = nullptr, y_dot = nullptr, r = nullptr;
+    void* data = nullptr;
+    require_success(IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data), "IDAGetNonlinearSystemData");
+    const auto n = form_.size() / 2;
+    if (t != matrix_time_ || c != matrix_c_) {   // a new step or a new try of one: refresh
+      matrix_time_ = matrix_c_ = -1;
+      const auto at = sundials::values(y);
+      if (newton_.prepare(t, c, at.head(n), at.tail(n)) != FactorStatus::ok) return SUNLS_PACKAGE_FAIL_REC;
+      matrix_time_ = t;
+      matrix_c_ = c;
+    }
+    const auto right = sundials::values(b);
+    auto result = sundials::values(x);
+    return newton_.solve(right.head(n), right.tail(n), result.head(n), result.tail(n)).ok ? 0 : SUNLS_PACKAGE_FAIL_REC;
+  }
+
+  [[nodiscard]] IntegratorStatistics current() const {
+    IntegratorStatistics s;
+    auto* m = memory_.get();
+    IDAGetNumSteps(m, &s.steps);
+    IDAGetNumNonlinSolvIters(m, &s.newton_iterations);
+    IDAGetNumErrTestFails(m, &s.error_test_failures);
+    IDAGetNumStepSolveFails(m, &s.step_solve_failures);
+    return s;
+  }
+
+  void bank() {   // IDAReInit sets the counters back
+    const auto s = current();
+    banked_.steps += s.steps;
+    banked_.newton_iterations += s.newton_iterations;
+    banked_.error_test_failures += s.error_test_failures;
+    banked_.step_solve_failures += s.step_solve_failures;
+  }
+
+  [[nodiscard]] std::string diagnosis(int flag) const {
+    realtype h = 0;
+    IDAGetCurrentStep(memory_.get(), &h);
+    std::string what = "IDA cannot go on";
+    std::string advice = "try more strain-rate damping, a softer contact or a finer mesh";
+    if (flag == IDA_CONV_FAIL || flag == IDA_LSOLVE_FAIL) what = "Newton's iteration does not converge, however small the step";
+    if (flag == IDA_ERR_FAIL) {
+      what = "the error test fails, however small the step";
+      advice = "try a looser rtol or more strain-rate damping";
+    }
+    if (flag == IDA_REP_RES_ERR || flag == IDA_RES_FAIL || flag == IDA_FIRST_RES_FAIL)
+      what = "the forces are not finite: nodes coincide, or the motion has blown up";
+    return fmt::format("{} at t = {:.6g} s, step {:.3g} s; {} ({})", what, time_, h, advice, messages_.last);
+  }
+
+  sundials::Context context_;
+  sundials::ExceptionCarrier carrier_;
+  sundials::MessageKeeper messages_;
+  FirstOrderForm form_;
+  CondensedNewton newton_;
+  ErrorWeights weights_;
+  IntegratorOptions options_;
+  EventSource* events_;
+  sundials::StateVector y_, y_dot_;
+  sundials::EmbeddedSolver embedded_;
+  std::unique_ptr<void, Free> memory_;
+  double time_ = 0, matrix_time_ = -1, matrix_c_ = -1, last_step_ = 0;
+  IntegratorStatistics banked_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_ida(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events) {
+  return std::make_unique<Ida>(system, std::move(solver), options, events);
+}
+
+}  // namespace sundrape

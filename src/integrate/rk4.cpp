@@ -1,0 +1,140 @@
+#include <arkode/arkode_erkstep.h>
+#include <fmt/format.h>
+
+#include <array>
+
+#include "sundrape/integrate/first_order_form.hpp"
+#include "sundrape/integrate/integrator.hpp"
+#include "sundrape/integrate/sundials_support.hpp"
+
+namespace sundrape {
+namespace {
+
+using sundials::require_success;
+
+class RungeKutta4 final : public Integrator {
+ public:
+  RungeKutta4(const System& system, const IntegratorOptions& options, EventSource* events)
+      : form_(system), options_(options), events_(events), y_(form_.size(), context_) {
+    if (!(options.fixed_step > 0)) throw std::invalid_argument("the Runge–Kutta method needs a positive step [s]");
+  }
+
+  void start(double time, ConstVectorRef q, ConstVectorRef v) override {
+    auto y = y_.values();
+    y.head(q.size()) = q;
+    y.tail(v.size()) = v;
+    time_ = time;
+    const auto right_side = [](realtype t, N_Vector y_now, N_Vector y_dot, void* data) {
+      auto& me = self(data);
+      return me.carrier_.run([&] { return me.form_.rates(t, sundials::values(y_now), sundials::values(y_dot)) ? 0 : -1; });
+    };
+    if (memory_) {
+      long steps = 0;
+      ERKStepGetNumSteps(memory_.get(), &steps);
+      banked_.steps += steps;
+      require_success(ERKStepReInit(memory_.get(), right_side, time, y_.get()), "ERKStepReInit");
+      ++banked_.restarts;
+      return;
+    }
+    memory_.reset(ERKStepCreate(right_side, time, y_.get(), context_));
+    auto* m = memory_.get();
+    if (!m) throw std::bad_alloc();
+    require_success(ERKStepSetErrHandlerFn(m, sundials::MessageKeeper::handle, &messages_), "ERKStepSetErrHandlerFn");
+    require_success(ERKStepSetUserData(m, this), "ERKStepSetUserData");
+    set_classical_table();
+    require_success(ERKStepSetFixedStep(m, options_.fixed_step), "ERKStepSetFixedStep");
+    require_success(ERKStepSetMaxNumSteps(m, -1), "ERKStepSetMaxNumSteps");
+    if (events_ && events_->count() > 0) {
+      const auto roots = [](realtype t, N_Vector y_now, realtype* values, void* data) {
+        auto& me = self(data);
+        return me.carrier_.run([&] {
+          me.form_.events(t, sundials::values(y_now), *me.events_, {values, static_cast<std::size_t>(me.events_->count())});
+          return 0;
+        });
+      };
+      require_success(ERKStepRootInit(m, events_->count(), roots), "ERKStepRootInit");
+      std::vector<int> falling(static_cast<std::size_t>(events_->count()), -1);
+      require_success(ERKStepSetRootDirection(m, falling.data()), "ERKStepSetRootDirection");
+      ERKStepSetNoInactiveRootWarn(m);
+    }
+  }
+
+  StepReport step(double end) override {
+    require_success(ERKStepSetStopTime(memory_.get(), end), "ERKStepSetStopTime");
+    const int flag = ERKStepEvolve(memory_.get(), end, y_.get(), &time_, ARK_ONE_STEP);
+    carrier_.rethrow();
+    const double speed = y_.values().tail(form_.size() / 2).cwiseAbs().maxCoeff();
+    if (flag < 0 || !(speed < absurd_speed))
+      throw IntegrationFailure(fmt::format("the fixed-step Runge–Kutta method has blown up at t = {:.6g} s with a step of {:.3g} s; the stability limit "
+                                           "reported at the start is an estimate for the initial shape: try a smaller dynamics.step",
+                                           time_, options_.fixed_step));
+    StepReport report{.time = time_, .order = 4, .event = flag == ARK_ROOT_RETURN};
+    ERKStepGetLastStep(memory_.get(), &report.step_size);
+    return report;
+  }
+
+  void state(VectorRef q, VectorRef v) const override {
+    q = y_.values().head(q.size());
+    v = y_.values().tail(v.size());
+  }
+
+  void interpolate(double time, VectorRef q, VectorRef v) const override {
+    const sundials::StateVector at(form_.size(), context_);
+    require_success(ERKStepGetDky(memory_.get(), time, 0, at.get()), "ERKStepGetDky");
+    q = at.values().head(q.size());
+    v = at.values().tail(v.size());
+  }
+
+  [[nodiscard]] std::vector<int> fired() const override {
+    std::vector<int> roots(static_cast<std::size_t>(events_ ? events_->count() : 0));
+    if (!roots.empty()) ERKStepGetRootInfo(memory_.get(), roots.data());
+    return roots;
+  }
+
+  [[nodiscard]] IntegratorStatistics statistics() const override {
+    auto s = banked_;
+    long steps = 0;
+    ERKStepGetNumSteps(memory_.get(), &steps);
+    s.steps += steps;
+    s.force_evaluations = form_.evaluations();
+    return s;
+  }
+
+ private:
+  static constexpr double absurd_speed = 1e4;   // [m/s]; no cloth survives it
+  struct Free {
+    void operator()(void* memory) const { ERKStepFree(&memory); }
+  };
+
+  static RungeKutta4& self(void* data) { return *static_cast<RungeKutta4*>(data); }
+
+  void set_classical_table() {
+    std::array<double, 4> c{0, 0.5, 0.5, 1}, b{1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+    std::array<double, 16> a{};
+    a[4 * 1 + 0] = a[4 * 2 + 1] = 0.5;
+    a[4 * 3 + 2] = 1;
+    auto* table = ARKodeButcherTable_Create(4, 4, 0, c.data(), a.data(), b.data(), nullptr);
+    const int flag = ERKStepSetTable(memory_.get(), table);
+    ARKodeButcherTable_Free(table);
+    require_success(flag, "ERKStepSetTable");
+  }
+
+  sundials::Context context_;
+  sundials::ExceptionCarrier carrier_;
+  sundials::MessageKeeper messages_;
+  FirstOrderForm form_;
+  IntegratorOptions options_;
+  EventSource* events_;
+  sundials::StateVector y_;
+  std::unique_ptr<void, Free> memory_;
+  double time_ = 0;
+  IntegratorStatistics banked_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_rk4(const System& system, const IntegratorOptions& options, EventSource* events) {
+  return std::make_unique<RungeKutta4>(system, options, events);
+}
+
+}  // namespace sundrape

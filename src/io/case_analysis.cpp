@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include "case_parts.hpp"
+
+namespace sundrape {
+namespace {
+
+constexpr double most_frames = 1e6;
+
+std::vector<double> resolve_frame_times(const CaseSection& output, double duration) {
+  std::vector<double> times{0};
+  if (const auto every = output.maybe_number("every")) {
+    if (duration / *every > most_frames)
+      output.fail("every", fmt::format("{:.10g} s makes more than {} frames", *every, most_frames));
+    // The last multiple and the duration are one frame where only round-off keeps them apart.
+    for (int i = 1; i * *every < duration * (1 - 1e-9); ++i) times.push_back(i * *every);
+  } else {
+    const int frames = output.integer("frames");
+    for (int i = 1; i < frames; ++i) times.push_back(duration * i / frames);
+  }
+  times.push_back(duration);
+  return times;
+}
+
+}  // namespace
+
+DynamicsCase resolve_dynamics(const CaseSection& section) {
+  DynamicsCase dynamics;
+  const std::string integrator = section.text("integrator");
+  dynamics.integrator = integrator == "cvode" ? IntegratorKind::cvode
+                        : integrator == "ida" ? IntegratorKind::ida
+                                              : IntegratorKind::rk4;
+  dynamics.duration = section.maybe_number("duration").value_or(0);
+  dynamics.rtol = section.number("rtol");
+  dynamics.atol_position = section.maybe_number("atol_position");
+  dynamics.atol_velocity = section.maybe_number("atol_velocity");
+  dynamics.max_order = section.integer("max_order");
+  dynamics.step = section.maybe_number("step");
+  dynamics.max_step = section.maybe_number("max_step");
+  dynamics.first_step = section.maybe_number("first_step");
+  dynamics.linear_solver = section.text("linear_solver");
+  dynamics.time_limit = section.maybe_number("time_limit");
+  return dynamics;
+}
+
+RelaxationCase resolve_relaxation(const CaseSection& section) {
+  RelaxationCase relaxation;
+  relaxation.tolerance = section.number("tolerance");
+  relaxation.scheme = section.text("scheme");
+  relaxation.max_iterations = section.integer("max_iterations");
+  relaxation.first_step = section.maybe_number("first_step");
+  relaxation.growth = section.number("growth");
+  relaxation.linear_solver = section.text("linear_solver");
+  relaxation.c_disp = section.maybe_number("c_disp");
+  relaxation.c_acc = section.maybe_number("c_acc");
+  relaxation.time_limit = section.maybe_number("time_limit");
+  return relaxation;
+}
+
+OutputCase resolve_output(const CaseSection& section, double duration) {
+  if (section.has("frames") && section.has("every"))
+    section.fail("every", "frames says it already: give either, not both");
+  OutputCase output;
+  if (duration > 0) output.frame_times = resolve_frame_times(section, duration);
+  for (const auto& entry : section.tables("probes")) {
+    ProbeCase probe{entry.text("name"), entry.vector3("near"), entry.source("near")};
+    for (const auto& earlier : output.probes)
+      if (earlier.name == probe.name) entry.fail("name", fmt::format("'{}' is the name of two probes", probe.name));
+    output.probes.push_back(std::move(probe));
+  }
+  return output;
+}
+
+}  // namespace sundrape

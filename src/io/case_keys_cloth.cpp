@@ -1,0 +1,146 @@
+#include "case_keys.hpp"
+
+namespace sundrape {
+namespace {
+
+using namespace keys;
+
+Section cloth() {
+  return {
+      .name = "cloth",
+      .heading = "`[cloth]`",
+      .kind_key = "shape",
+      .doc = "The sheet at rest, flat in z = 0 unless it comes from a file, and where it starts.",
+      .keys =
+          {
+              {.name = "shape",
+               .type = KeyType::choice,
+               .choices = {"rectangle", "disc", "annulus", "mesh"},
+               .required = true,
+               .doc = "Outline of the sheet; the centre of a rectangle, disc or annulus is the origin."},
+              {.name = "name", .type = KeyType::name, .default_value = "\"cloth\"", .doc = "For people."},
+              {.name = "size",
+               .unit = "m",
+               .scalar = false,
+               .entries = 2,
+               .range = positive(),
+               .required = true,
+               .kinds = {"rectangle"},
+               .doc = "Edge lengths, warp direction (x) first."},
+              {.name = "cells",
+               .type = KeyType::integer,
+               .scalar = false,
+               .entries = 2,
+               .range = from_to(1, 10000),
+               .required = true,
+               .kinds = {"rectangle"},
+               .doc = "Quadrilaterals along warp and weft."},
+              {.name = "radius",
+               .unit = "m",
+               .range = positive(),
+               .required = true,
+               .kinds = {"disc"},
+               .doc = "Of the disc."},
+              {.name = "cells",
+               .type = KeyType::integer,
+               .range = from_to(2, 10000),
+               .required = true,
+               .kinds = {"disc"},
+               .doc = "Quadrilaterals across the diameter."},
+              {.name = "inner_radius",
+               .unit = "m",
+               .range = positive(),
+               .required = true,
+               .kinds = {"annulus"},
+               .doc = "Of the hole; smaller than `outer_radius`."},
+              {.name = "outer_radius",
+               .unit = "m",
+               .range = positive(),
+               .required = true,
+               .kinds = {"annulus"},
+               .doc = "Of the rim."},
+              {.name = "cells",
+               .type = KeyType::integer,
+               .scalar = false,
+               .entries = 2,
+               .range = from_to(1, 10000),
+               .required = true,
+               .kinds = {"annulus"},
+               .doc = "Quadrilaterals from hole to rim, and around (at least 3)."},
+              {.name = "file",
+               .type = KeyType::file,
+               .required = true,
+               .kinds = {"mesh"},
+               .doc = "A mesh of quadrilaterals (OBJ); its rest shape may be curved."},
+              {.name = "units",
+               .type = KeyType::unit,
+               .unit = "m",
+               .default_value = "\"m\"",
+               .kinds = {"mesh"},
+               .doc = "Unit of the file's coordinates."},
+              {.name = "place", .type = KeyType::table, .holds = "place", .doc = "Rest position to initial position."},
+              {.name = "waviness",
+               .type = KeyType::table,
+               .holds = "waviness",
+               .default_note = "flat in dynamics, a slight imperfection in relaxation",
+               .doc = "Random imperfection of the initial position."},
+          },
+  };
+}
+
+Section place() {
+  return {
+      .name = "place",
+      .heading = "`place = { ... }` of `[cloth]` and `[[obstacle]]`",
+      .doc = "Rotation about the origin, then translation.",
+      .keys =
+          {
+              {.name = "translate",
+               .unit = "m",
+               .scalar = false,
+               .entries = 3,
+               .default_value = "[0, 0, 0]",
+               .doc = "By how much it is moved."},
+              {.name = "rotate", .type = KeyType::table, .holds = "rotate", .doc = "About which axis and how far."},
+          },
+  };
+}
+
+Section rotate() {
+  return {
+      .name = "rotate",
+      .heading = "`rotate = { ... }` of `place`",
+      .keys =
+          {
+              {.name = "axis",
+               .type = KeyType::direction,
+               .default_value = "[0, 0, 1]",
+               .doc = "Of any length; the rotation is right-handed about it."},
+              {.name = "angle", .unit = "rad", .required = true, .doc = "How far, e.g. `\"90 deg\"`."},
+          },
+  };
+}
+
+Section waviness() {
+  return {
+      .name = "waviness",
+      .heading = "`waviness = { ... }` of `[cloth]`",
+      .doc =
+          "Every node starts off the rest surface by a random distance, uniform between plus and minus the amplitude.",
+      .keys =
+          {
+              {.name = "amplitude", .unit = "m", .range = not_negative(), .required = true, .doc = "Largest distance."},
+              {.name = "seed",
+               .type = KeyType::integer,
+               .range = from_to(0, 4294967295.0),
+               .default_value = "1",
+               .doc = "Of the random numbers: the same seed gives the same sheet."},
+          },
+  };
+}
+
+}  // namespace
+
+std::vector<Section> cloth_keys() { return {cloth(), place(), rotate(), waviness()}; }
+
+}  // namespace sundrape

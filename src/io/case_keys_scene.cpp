@@ -1,0 +1,226 @@
+#include "case_keys.hpp"
+
+namespace sundrape {
+namespace {
+
+using namespace keys;
+
+Key with_default(Key key, std::string value) {
+  key.default_value = std::move(value);
+  return key;
+}
+
+Key required(Key key) {
+  key.required = true;
+  return key;
+}
+
+Key only_for(std::vector<std::string> kinds, Key key) {
+  key.kinds = std::move(kinds);
+  return key;
+}
+
+Key nodes(std::vector<std::string> kinds = {}) {
+  return {
+      .name = "nodes", .type = KeyType::selector, .required = true, .kinds = std::move(kinds), .doc = "Which nodes."};
+}
+
+Key length(std::string name, std::string doc) {
+  return {.name = std::move(name), .unit = "m", .range = positive(), .required = true, .doc = std::move(doc)};
+}
+
+Section fix() {
+  return {
+      .name = "fix",
+      .heading = "`[[fix]]`",
+      .doc = "Nodes held where they start. Supports that overlap add up.",
+      .keys =
+          {
+              nodes(),
+              {.name = "components",
+               .type = KeyType::choices,
+               .choices = {"x", "y", "z", "rotation"},
+               .default_value = "[\"x\", \"y\", \"z\", \"rotation\"]",
+               .doc = "What is held; `rotation` clamps the slope of a held edge."},
+              {.name = "name",
+               .type = KeyType::name,
+               .default_note = "from the selector",
+               .doc = "Of its reaction in the result; no two alike."},
+          },
+  };
+}
+
+Section selector() {
+  return {
+      .name = "selector",
+      .heading = "`nodes = { ... }`",
+      .doc = "Exactly one of these; geometry refers to the initial positions.",
+      .keys =
+          {
+              vector3("near", "m", "The node closest to this point."),
+              {.name = "box", .type = KeyType::corners, .unit = "m", .doc = "All nodes in `[[x, y, z], [x, y, z]]`."},
+              {.name = "plane", .type = KeyType::table, .holds = "selector.plane", .doc = "All nodes on a plane."},
+              {.name = "sphere", .type = KeyType::table, .holds = "selector.sphere", .doc = "All nodes in a ball."},
+          },
+  };
+}
+
+Section selector_plane() {
+  return {
+      .name = "selector.plane",
+      .heading = "`nodes = { plane = { ... } }`",
+      .keys = {required(vector3("point", "m", "A point of the plane.")),
+               {.name = "normal", .type = KeyType::direction, .required = true, .doc = "Its normal, of any length."}}};
+}
+
+Section selector_sphere() {
+  return {.name = "selector.sphere",
+          .heading = "`nodes = { sphere = { ... } }`",
+          .keys = {required(vector3("centre", "m", "Its centre.")), length("radius", "Its radius.")}};
+}
+
+Section load() {
+  return {
+      .name = "load",
+      .heading = "`[[load]]`",
+      .kind_key = "kind",
+      .doc = "No load, not even gravity, unless the case says so.",
+      .keys =
+          {
+              {.name = "kind",
+               .type = KeyType::choice,
+               .choices = {"gravity", "force", "moment", "traction", "pressure"},
+               .later = {"wind"},
+               .required = true,
+               .doc = "What sort of load."},
+              only_for({"gravity"},
+                       with_default(vector3("acceleration", "m/s^2", "Of free fall."), "[0, 0, -9.80665]")),
+              nodes({"force", "moment", "traction"}),
+              only_for({"force"}, required(vector3("total", "N", "Sum over the nodes, shared equally."))),
+              only_for({"moment"},
+                       required(vector3("total", "N m", "Sum over the nodes, shared by tributary length."))),
+              only_for({"traction"}, required(vector3("per_length", "N/m", "Force per length of the edge."))),
+              {.name = "value",
+               .unit = "N/m^2",
+               .required = true,
+               .kinds = {"pressure"},
+               .doc = "Along the normal of every face, which it follows."},
+              {.name = "ramp",
+               .unit = "s",
+               .range = not_negative(),
+               .default_value = "0",
+               .doc = "Grows smoothly to its full size over this time; 0: there from the start."},
+          },
+  };
+}
+
+Section obstacle() {
+  return {
+      .name = "obstacle",
+      .heading = "`[[obstacle]]`",
+      .kind_key = "kind",
+      .doc = "Centred on its place. An edge radius is at most half the smallest size.",
+      .keys =
+          {
+              {.name = "kind",
+               .type = KeyType::choice,
+               .choices = {"plane", "box", "cylinder", "sphere", "capsule", "disc"},
+               .later = {"mesh"},
+               .required = true,
+               .doc = "What sort of body; a disc is a pedestal."},
+              {.name = "name", .type = KeyType::name, .default_note = "kind and index", .doc = "No two alike."},
+              {.name = "place", .type = KeyType::table, .holds = "place", .doc = "Where it stands."},
+              only_for({"plane"}, with_default(vector3("point", "m", "A point of the plane."), "[0, 0, 0]")),
+              {.name = "normal",
+               .type = KeyType::direction,
+               .default_value = "[0, 0, 1]",
+               .kinds = {"plane"},
+               .doc = "Out of the solid side, of any length."},
+              {.name = "size",
+               .unit = "m",
+               .scalar = false,
+               .entries = 3,
+               .range = positive(),
+               .required = true,
+               .kinds = {"box"},
+               .doc = "Full edge lengths along x, y and z."},
+              only_for({"cylinder", "sphere", "capsule", "disc"}, length("radius", "Its radius.")),
+              only_for({"cylinder", "capsule"},
+                       length("length", "Along the axis; a capsule's between the centres of its caps.")),
+              {.name = "axis",
+               .type = KeyType::direction,
+               .default_value = "[0, 0, 1]",
+               .kinds = {"cylinder", "capsule"},
+               .doc = "Its axis, of any length."},
+              {.name = "height",
+               .unit = "m",
+               .range = positive(),
+               .default_value = "\"10 cm\"",
+               .kinds = {"disc"},
+               .doc = "Downwards from its top, which is z = 0 of its place."},
+              {.name = "edge_radius",
+               .unit = "m",
+               .range = not_negative(),
+               .default_value = "0",
+               .kinds = {"box", "cylinder", "disc"},
+               .doc = "Rounding of its edges."},
+              {.name = "friction",
+               .range = not_negative(),
+               .default_value = "0",
+               .doc = "Coefficient of friction; only 0 in this version."},
+              {.name = "motion", .type = KeyType::table, .available = false, .doc = "Its prescribed path."},
+          },
+  };
+}
+
+Section contact() {
+  return {
+      .name = "contact",
+      .heading = "`[contact]`",
+      .doc = "A penalty force between nodes and obstacles that sets in smoothly.",
+      .keys =
+          {
+              {.name = "self",
+               .type = KeyType::boolean,
+               .default_value = "false",
+               .doc = "Cloth against cloth; only false in this version."},
+              {.name = "thickness",
+               .unit = "m",
+               .range = positive(),
+               .default_note = "`material.thickness`",
+               .doc = "Scale of the two defaults below."},
+              {.name = "stiffness",
+               .unit = "N/m^3",
+               .range = positive(),
+               .default_note = "from the load and `penetration`",
+               .doc = "Pressure per depth."},
+              {.name = "smoothing",
+               .unit = "m",
+               .range = positive(),
+               .default_note = "0.1 `thickness`",
+               .doc = "Distance over which the force sets in."},
+              {.name = "penetration",
+               .unit = "m",
+               .range = positive(),
+               .default_note = "0.1 `thickness`",
+               .doc = "Depth allowed."},
+              {.name = "restitution",
+               .range = from_to(0, 1),
+               .default_note = "no impact law",
+               .doc = "Speed after an impact over the speed before."},
+              {.name = "restitution_speed",
+               .unit = "m/s",
+               .range = positive(),
+               .default_value = "0.05",
+               .doc = "Slower impacts are left to the penalty force."},
+          },
+  };
+}
+
+}  // namespace
+
+std::vector<Section> scene_keys() {
+  return {fix(), selector(), selector_plane(), selector_sphere(), load(), obstacle(), contact()};
+}
+
+}  // namespace sundrape

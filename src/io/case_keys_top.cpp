@@ -1,0 +1,42 @@
+#include "case_keys.hpp"
+
+namespace sundrape {
+
+std::vector<Section> top_keys() {
+  return {{
+      .name = "",
+      .heading = "Top level",
+      .doc = "What the case is, and the tables that describe it.",
+      .keys =
+          {
+              {.name = "title", .type = KeyType::text, .default_note = "the file's name", .doc = "A line for people."},
+              {.name = "model",
+               .type = KeyType::choice,
+               .choices = {"particle"},
+               .later = {"shell"},
+               .default_value = "\"particle\"",
+               .doc = "How the sheet is discretised."},
+              {.name = "analysis",
+               .type = KeyType::choice,
+               .choices = {"dynamics", "relaxation"},
+               .later = {"arc-length"},
+               .required = true,
+               .doc =
+                   "What to compute: a motion in time, or a static equilibrium. Tables of other analyses may stay in "
+                   "the file; they are checked, not used."},
+              {.name = "cloth", .type = KeyType::table, .holds = "cloth", .required = true, .doc = "The sheet."},
+              {.name = "material", .type = KeyType::table, .holds = "material", .required = true, .doc = "Its fabric."},
+              {.name = "fix", .type = KeyType::tables, .holds = "fix", .doc = "Supports."},
+              {.name = "motion", .type = KeyType::tables, .available = false, .doc = "Prescribed paths of node sets."},
+              {.name = "load", .type = KeyType::tables, .holds = "load", .doc = "What pulls and pushes."},
+              {.name = "obstacle", .type = KeyType::tables, .holds = "obstacle", .doc = "Rigid bodies in the way."},
+              {.name = "contact", .type = KeyType::table, .holds = "contact", .doc = "How cloth meets obstacles."},
+              {.name = "dynamics", .type = KeyType::table, .holds = "dynamics", .doc = "Integration in time."},
+              {.name = "relaxation", .type = KeyType::table, .holds = "relaxation", .doc = "Search for equilibrium."},
+              {.name = "arc-length", .type = KeyType::table, .holds = "arc-length", .doc = "Equilibrium paths."},
+              {.name = "output", .type = KeyType::table, .holds = "output", .doc = "What the result file keeps."},
+          },
+  }};
+}
+
+}  // namespace sundrape

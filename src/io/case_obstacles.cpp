@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "case_parts.hpp"
+
+namespace sundrape {
+namespace {
+
+/// @param smallest  the body's smallest size [m]
+double resolve_edge_radius(const CaseSection& obstacle, double smallest) {
+  const double radius = obstacle.number("edge_radius");
+  if (radius > smallest / 2)
+    obstacle.fail("edge_radius", fmt::format("{:.10g} m is outside [0, {:.10g}] m: at most half the smallest size",
+                                             radius, smallest / 2));
+  return radius;
+}
+
+ObstacleCase resolve_obstacle(const CaseSection& section) {
+  ObstacleCase obstacle;
+  obstacle.source = section.source();
+  obstacle.place = resolve_place(section.table("place"));
+  const std::string kind = section.text("kind");
+  if (kind == "plane") {
+    obstacle.shape = PlaneShape{section.vector3("point"), section.direction("normal")};
+  } else if (kind == "box") {
+    const Vector3 size = section.vector3("size");
+    obstacle.shape = BoxShape{size, resolve_edge_radius(section, size.minCoeff())};
+  } else if (kind == "cylinder") {
+    const double radius = section.number("radius");
+    const double length = section.number("length");
+    obstacle.shape = CylinderShape{radius, length, section.direction("axis"),
+                                   resolve_edge_radius(section, std::min(2 * radius, length))};
+  } else if (kind == "sphere") {
+    obstacle.shape = SphereShape{section.number("radius")};
+  } else if (kind == "capsule") {
+    obstacle.shape = CapsuleShape{section.number("radius"), section.number("length"), section.direction("axis")};
+  } else {
+    const double radius = section.number("radius");
+    const double height = section.number("height");
+    obstacle.shape = DiscPedestalShape{radius, height, resolve_edge_radius(section, std::min(2 * radius, height))};
+  }
+  if (section.number("friction") != 0)
+    section.fail("friction",
+                 fmt::format("{} is not available in this version; accepted: 0", section.number("friction")));
+  return obstacle;
+}
+
+}  // namespace
+
+std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections) {
+  std::vector<ObstacleCase> obstacles;
+  for (const auto& section : sections) {
+    ObstacleCase obstacle = resolve_obstacle(section);
+    obstacle.name =
+        section.has("name") ? section.text("name") : fmt::format("{}{}", section.text("kind"), obstacles.size());
+    for (const auto& earlier : obstacles)
+      if (earlier.name == obstacle.name)
+        section.fail("name", fmt::format("'{}' is already the name of {}", obstacle.name, earlier.source.key));
+    obstacles.push_back(std::move(obstacle));
+  }
+  return obstacles;
+}
+
+ContactCase resolve_contact(const CaseSection& section, double thickness) {
+  if (section.boolean("self")) section.fail("self", "true is not available in this version; accepted: false");
+  ContactCase contact;
+  contact.thickness = section.maybe_number("thickness").value_or(thickness);
+  contact.stiffness = section.maybe_number("stiffness");
+  contact.smoothing = section.maybe_number("smoothing").value_or(0.1 * contact.thickness);
+  contact.penetration = section.maybe_number("penetration").value_or(0.1 * contact.thickness);
+  contact.restitution = section.maybe_number("restitution");
+  contact.restitution_speed = section.number("restitution_speed");
+  return contact;
+}
+
+}  // namespace sundrape

@@ -1,0 +1,75 @@
+#include "sundrape/io/case_reader.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "case_document.hpp"
+#include "case_parts.hpp"
+
+namespace sundrape {
+namespace {
+
+std::string read_file(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file))
+    throw std::system_error(std::make_error_code(std::errc::is_a_directory), file.string());
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), file.string());
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// The cloth as a table; [[cloth]] with one entry has become one already.
+CaseSection cloth_section(const CaseSection& top, const toml::table& root) {
+  if (const auto* pieces = root.get_as<toml::array>("cloth"))
+    top.fail("cloth", fmt::format("{} pieces are not available in this version; accepted: one", pieces->size()));
+  return top.table("cloth");
+}
+
+std::string print(const toml::table& root) {
+  std::ostringstream text;
+  text << root << '\n';
+  return text.str();
+}
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::filesystem::path& file, const std::vector<std::string>& sets) {
+  const toml::table root = parse_document(text, file.string(), sets);
+  const ReadingContext context;
+  const CaseSection top(context, key_section(""), &root, {file.string(), 1, ""});
+  if (top.has("cloth")) (void)cloth_section(top, root);
+  top.check();
+
+  Case resolved;
+  resolved.file = file;
+  resolved.text = print(root);
+  resolved.title = top.has("title") ? top.text("title") : file.stem().string();
+  resolved.analysis = top.text("analysis") == "dynamics" ? Analysis::dynamics : Analysis::relaxation;
+  resolved.cloth = resolve_cloth(cloth_section(top, root), file.parent_path());
+  resolved.fabric = resolve_fabric(top.table("material"));
+  resolved.fixes = resolve_fixes(top.tables("fix"));
+  resolved.loads = resolve_loads(top.tables("load"));
+  resolved.obstacles = resolve_obstacles(top.tables("obstacle"));
+  resolved.contact = resolve_contact(top.table("contact"), resolved.fabric.thickness);
+  const CaseSection dynamics = top.table("dynamics");
+  resolved.dynamics = resolve_dynamics(dynamics);
+  resolved.relaxation = resolve_relaxation(top.table("relaxation"));
+  if (resolved.analysis == Analysis::dynamics && !dynamics.has("duration")) {
+    const SourceLine where = top.has("dynamics") ? dynamics.source() : top.source("analysis");
+    throw CaseError(where.file, where.line, "dynamics.duration", "missing: how long the motion lasts");
+  }
+  resolved.output =
+      resolve_output(top.table("output"), resolved.analysis == Analysis::dynamics ? resolved.dynamics.duration : 0);
+  return resolved;
+}
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& sets) {
+  return parse_case(read_file(file), file, sets);
+}
+
+}  // namespace sundrape

@@ -1,0 +1,105 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sundrape/io/case_error.hpp"
+
+#include "case_parts.hpp"
+
+namespace sundrape {
+namespace {
+
+std::string default_name(const Selector& selector) {
+  struct Name {
+    std::string operator()(const NamedSet& set) const { return set.name; }
+    std::string operator()(const Near&) const { return "near"; }
+    std::string operator()(const InBox&) const { return "box"; }
+    std::string operator()(const OnPlane&) const { return "plane"; }
+    std::string operator()(const InSphere&) const { return "sphere"; }
+  };
+  return std::visit(Name{}, selector);
+}
+
+bool same(const Selector& a, const Selector& b) {
+  struct Numbers {
+    std::vector<Vector3> operator()(const NamedSet&) const { return {}; }
+    std::vector<Vector3> operator()(const Near& near) const { return {near.point}; }
+    std::vector<Vector3> operator()(const InBox& box) const { return {box.low, box.high}; }
+    std::vector<Vector3> operator()(const OnPlane& plane) const { return {plane.point, plane.normal}; }
+    std::vector<Vector3> operator()(const InSphere& ball) const {
+      return {ball.centre, Vector3::Constant(ball.radius)};
+    }
+  };
+  return default_name(a) == default_name(b) && a.index() == b.index() &&
+         std::visit(Numbers{}, a) == std::visit(Numbers{}, b);
+}
+
+FixCase resolve_fix(const CaseSection& section) {
+  FixCase fix;
+  fix.nodes = section.selector("nodes");
+  fix.source = section.source("nodes");
+  const auto chosen = section.choices("components");
+  const auto holds = [&](const char* name) { return std::find(chosen.begin(), chosen.end(), name) != chosen.end(); };
+  fix.components = {holds("x"), holds("y"), holds("z")};
+  fix.rotation = holds("rotation");
+  if (section.has("name")) fix.name = section.text("name");
+  return fix;
+}
+
+std::string place_of(const SourceLine& source) {
+  return source.line > 0 ? fmt::format("line {}", source.line) : source.file;
+}
+
+}  // namespace
+
+std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections) {
+  std::vector<FixCase> fixes;
+  for (const auto& section : sections) {
+    FixCase fix = resolve_fix(section);
+    for (const auto& earlier : fixes) {
+      if (!fix.name.empty() && fix.name == earlier.name)
+        section.fail("name",
+                     fmt::format("'{}' is already the name of the support at {}", fix.name, place_of(earlier.source)));
+      if (same(fix.nodes, earlier.nodes) && (fix.components != earlier.components || fix.rotation != earlier.rotation))
+        section.fail("nodes", fmt::format("in conflict with the support at {}: the same nodes, but other components",
+                                          place_of(earlier.source)));
+    }
+    fixes.push_back(std::move(fix));
+  }
+  // Names that the case does not give must not meet those that it does.
+  for (auto& fix : fixes) {
+    if (!fix.name.empty()) continue;
+    const std::string base = default_name(fix.nodes);
+    const auto taken = [&](const std::string& name) {
+      return std::any_of(fixes.begin(), fixes.end(), [&](const FixCase& other) { return other.name == name; });
+    };
+    std::string name = base;
+    for (int i = 2; taken(name); ++i) name = fmt::format("{}_{}", base, i);
+    fix.name = name;
+  }
+  return fixes;
+}
+
+std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections) {
+  std::vector<LoadCase> loads;
+  for (const auto& section : sections) {
+    LoadCase load;
+    load.ramp = section.number("ramp");
+    const std::string kind = section.text("kind");
+    load.source = kind == "gravity" || kind == "pressure" ? section.source() : section.source("nodes");
+    if (kind == "gravity")
+      load.load = GravityLoad{section.vector3("acceleration")};
+    else if (kind == "force")
+      load.load = ForceLoad{section.selector("nodes"), section.vector3("total")};
+    else if (kind == "moment")
+      load.load = MomentLoad{section.selector("nodes"), section.vector3("total")};
+    else if (kind == "traction")
+      load.load = TractionLoad{section.selector("nodes"), section.vector3("per_length")};
+    else
+      load.load = PressureLoad{section.number("value")};
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
+}  // namespace sundrape

@@ -1,0 +1,184 @@
+#include "sundrape/io/result_layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace sundrape {
+namespace {
+
+using layout::Meaning;
+constexpr std::size_t warning_length = 512;  // bytes
+constexpr std::uint64_t expected_steps = 4096;
+constexpr std::uint64_t expected_warnings = 16;
+
+const std::vector<Meaning>& table() {
+  static const std::vector<Meaning> meanings{
+      {"/mesh/reference", "m", "rest position of each node"},
+      {"/mesh/material", "m", "warp and weft coordinate of each node"},
+      {"/mesh/quads", "1", "the four nodes of each quadrilateral, counter-clockwise"},
+      {"/mesh/sets/*", "1", "nodes of a named set"},
+      {"/frames/time", "s", "time of each frame; of a relaxation, its pseudo-time"},
+      {"/frames/load_factor", "1", "load factor of each frame"},
+      {"/frames/position", "m", "position of each node"},
+      {"/frames/velocity", "m/s", "velocity of each node"},
+      {"/frames/contact_force", "N", "contact force on each node"},
+      {"/frames/director", "1", "director of each node"},
+      {"/frames/energy/kinetic", "J", "kinetic energy"},
+      {"/frames/energy/membrane", "J", "stored energy of stretching along the threads"},
+      {"/frames/energy/shear", "J", "stored energy of shear"},
+      {"/frames/energy/bending", "J", "stored energy of bending"},
+      {"/frames/energy/gravity", "J", "potential energy in the field of gravity"},
+      {"/frames/energy/contact", "J", "stored energy of contact"},
+      {"/frames/energy/dissipated", "J", "energy turned into heat by damping and friction since the start"},
+      {"/frames/energy/external_work", "J",
+       "work done on the cloth by loads without an energy and by moved nodes since the start"},
+      {"/frames/energy/method_dissipated", "J", "energy lost by the time integration itself since the start"},
+      {"/frames/residual", "1", "norm of the out-of-balance force over the norm of the external force"},
+      {"/frames/negative_pivots", "1", "negative pivots of the tangent stiffness, 0 where stable; -1: not evaluated"},
+      {"/frames/penetration", "m", "deepest penetration into an obstacle"},
+      {"/frames/contact_force_sum", "N", "sum of the contact forces on the cloth"},
+      {"/frames/reaction/*", "N", "force that the cloth exerts on a fixed or moved set"},
+      {"/probes/*/time", "s", "time of every accepted step"},
+      {"/probes/*/position", "m", "position of the probed node"},
+      {"/probes/*/velocity", "m/s", "velocity of the probed node"},
+      {"/steps/time", "s", "time at the end of every accepted step; of a relaxation, its pseudo-time"},
+      {"/steps/load_factor", "1", "load factor at the end of every accepted step"},
+      {"/steps/step_size", "s", "size of the step"},
+      {"/steps/order", "1", "order of the method"},
+      {"/steps/newton_iterations", "1", "Newton iterations"},
+      {"/steps/linear_iterations", "1", "iterations of the linear solver"},
+      {"/steps/error_test_failures", "1", "attempts rejected by the error test"},
+      {"/steps/convergence_failures", "1", "attempts that Newton's method gave up"},
+      {"/steps/contacts", "1", "nodes in contact"},
+      {"/steps/residual", "1", "norm of the out-of-balance force over the norm of the external force"},
+      {"/steps/negative_pivots", "1", "negative pivots of the tangent stiffness; -1: not evaluated"},
+      {"/steps/total_energy", "J", "kinetic and stored energy"},
+      {"/steps/kinetic_energy", "J", "kinetic energy"},
+      {"/warnings", "1", "what the analysis found worth saying"},
+  };
+  return meanings;
+}
+
+bool fits(std::string_view path, std::string_view pattern) {
+  const auto star = pattern.find('*');
+  if (star == std::string_view::npos) return path == pattern;
+  const auto tail = pattern.substr(star + 1);
+  return path.size() > star + tail.size() && path.starts_with(pattern.substr(0, star)) && path.ends_with(tail);
+}
+
+Column column(const std::string& path, std::vector<std::uint64_t> row_shape = {},
+              hdf5::Element element = hdf5::Element::real64, std::size_t text_length = 0) {
+  const auto [pattern, units, description] = layout::meaning(path);
+  return {path, element, std::move(row_shape), text_length, std::string(units), std::string(description)};
+}
+
+bool counts(std::string_view name) {
+  constexpr std::array<std::string_view, 7> names{
+      "order",    "newton_iterations", "linear_iterations", "error_test_failures", "convergence_failures",
+      "contacts", "negative_pivots"};
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::vector<StepColumn> step_columns(std::initializer_list<const char*> names) {
+  std::vector<StepColumn> columns;
+  for (const auto* const name : names) columns.push_back(step_column(name));
+  return columns;
+}
+
+Series frame_series(const ResultHeader& header) {
+  const auto nodes = static_cast<std::uint64_t>(header.mesh.nodes());
+  Series frames{.columns = {column(layout::frame_variable_path(header.frame_variable))},
+                .expected_rows = header.expected_frames};
+  auto& columns = frames.columns;
+  for (const auto* const name : {"position", "velocity", "contact_force"})
+    columns.push_back(column(fmt::format("/frames/{}", name), {nodes, 3}));
+  if (header.director) columns.push_back(column("/frames/director", {nodes, 3}));
+  for (const auto& name : layout::energy_names()) columns.push_back(column("/frames/energy/" + name));
+  columns.push_back(column("/frames/residual"));
+  columns.push_back(column("/frames/negative_pivots", {}, hdf5::Element::int64));
+  columns.push_back(column("/frames/penetration"));
+  columns.push_back(column("/frames/contact_force_sum", {3}));
+  for (const auto& set : header.reaction_sets)
+    columns.push_back(column("/frames/reaction/" + layout::link_name(set), {3}));
+  return frames;
+}
+
+}  // namespace
+
+std::string to_string(ResultStatus status) {
+  constexpr std::array<const char*, 4> names{"running", "done", "failed", "interrupted"};
+  return names.at(static_cast<std::size_t>(status));
+}
+
+StepColumn step_column(const std::string& name) {
+  const auto [path, units, description] = layout::meaning("/steps/" + name);
+  return {name, std::string(units), std::string(description), counts(name)};
+}
+
+std::vector<StepColumn> dynamics_step_columns() {
+  return step_columns({"time", "step_size", "order", "newton_iterations", "linear_iterations", "error_test_failures",
+                       "convergence_failures", "contacts"});
+}
+
+std::vector<StepColumn> relaxation_step_columns() {
+  return step_columns(
+      {"time", "step_size", "residual", "newton_iterations", "linear_iterations", "contacts", "negative_pivots"});
+}
+
+namespace layout {
+
+const std::vector<Meaning>& all() { return table(); }
+
+Meaning meaning(const std::string& path) {
+  const auto found = std::ranges::find_if(table(), [&](const Meaning& each) { return fits(path, each.path); });
+  if (found == table().end()) throw std::invalid_argument(fmt::format("a result has no dataset {}", path));
+  return *found;
+}
+
+const std::vector<std::string>& energy_names() {
+  static const std::vector<std::string> names{"kinetic", "membrane",   "shear",         "bending",          "gravity",
+                                              "contact", "dissipated", "external_work", "method_dissipated"};
+  return names;
+}
+
+std::vector<double> energy_values(const FrameEnergies& e) {
+  return {e.kinetic, e.membrane,   e.shear,         e.bending,          e.gravity,
+          e.contact, e.dissipated, e.external_work, e.method_dissipated};
+}
+
+std::string link_name(std::string name) {
+  std::ranges::replace(name, '/', '_');
+  return name.empty() || name == "." ? "unnamed" : name;
+}
+
+std::string frame_variable_path(FrameVariable variable) {
+  return variable == FrameVariable::time ? "/frames/time" : "/frames/load_factor";
+}
+
+std::vector<Series> series(const ResultHeader& header) {
+  std::vector<Series> all(SeriesIndex::count);
+  all[SeriesIndex::warnings] = {.columns = {column("/warnings", {}, hdf5::Element::text, warning_length)},
+                                .expected_rows = expected_warnings};
+  all[SeriesIndex::steps].expected_rows = all[SeriesIndex::probes].expected_rows = expected_steps;
+  for (const auto& each : header.step_columns)
+    all[SeriesIndex::steps].columns.push_back({"/steps/" + each.name,
+                                               each.integer ? hdf5::Element::int64 : hdf5::Element::real64,
+                                               {},
+                                               0,
+                                               each.units,
+                                               each.description});
+  for (const auto& probe : header.probes) {
+    const auto group = "/probes/" + link_name(probe.name);
+    all[SeriesIndex::probes].columns.push_back(column(group + "/time"));
+    all[SeriesIndex::probes].columns.push_back(column(group + "/position", {3}));
+    all[SeriesIndex::probes].columns.push_back(column(group + "/velocity", {3}));
+  }
+  all[SeriesIndex::frames] = frame_series(header);
+  return all;
+}
+
+}  // namespace layout
+}  // namespace sundrape

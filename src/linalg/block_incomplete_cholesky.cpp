@@ -1,0 +1,157 @@
+#include "sundrape/linalg/block_incomplete_cholesky.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "lanes.hpp"
+
+namespace sundrape {
+namespace {
+
+constexpr auto block_floats = PaddedMatrix::block_floats;
+constexpr double first_shift = 1e-3;
+constexpr double largest_shift = 10;
+// A pivot that cancels below this part of its diagonal block is noise in single precision, or about to blow up.
+constexpr float least_pivot = 1e-5F;
+
+using PaddedBlock = Eigen::Map<Eigen::Matrix<float, 4, 3>>;
+
+/// Inverse of a symmetric 3×3 block whose pivots all exceed `least`; false if one does not.
+bool invert_definite(const Matrix3& a, double least, Matrix3& inverse) {
+  const double l10 = a(1, 0) / a(0, 0);
+  const double l20 = a(2, 0) / a(0, 0);
+  const double d1 = a(1, 1) - l10 * a(1, 0);
+  const double u21 = a(2, 1) - l20 * a(1, 0);
+  const double l21 = u21 / d1;
+  const double d2 = a(2, 2) - l20 * a(2, 0) - l21 * u21;
+  if (!(a(0, 0) > least && d1 > least && d2 > least)) return false;
+  Matrix3 unit_lower_inverse;
+  unit_lower_inverse << 1, 0, 0, -l10, 1, 0, l10 * l21 - l20, -l21, 1;
+  const Vector3 pivots(1 / a(0, 0), 1 / d1, 1 / d2);
+  inverse = unit_lower_inverse.transpose() * pivots.asDiagonal() * unit_lower_inverse;
+  return true;
+}
+
+void subtract(float* target, const LaneBlock& b) {
+  const auto t = load_block(target);
+  store_block(target, {t.c0 - b.c0, t.c1 - b.c1, t.c2 - b.c2});
+}
+
+}  // namespace
+
+BlockIncompleteCholesky::BlockIncompleteCholesky(double modification) : modification_(modification) {
+  if (!(modification >= 0 && modification <= 1)) throw std::invalid_argument("the modification must lie in [0, 1]");
+}
+
+void BlockIncompleteCholesky::analyse(const BlockStructure& structure) {
+  structure_ = &structure;
+  columns_ = BlockColumns(structure);
+  shift_ = 0;
+  target_start_.assign(1, 0);
+  target_.clear();
+  std::int64_t longest = 0;
+  for (std::size_t column = 0; column + 1 < columns_.start.size(); ++column) {
+    const auto first = static_cast<std::size_t>(columns_.start[column]);
+    const auto last = static_cast<std::size_t>(columns_.start[column + 1]);
+    for (auto i = first; i < last; ++i)
+      for (auto j = first; j < i; ++j) target_.push_back(structure.find(columns_.row[i], columns_.row[j]));
+    target_start_.push_back(std::ssize(target_));
+    longest = std::max(longest, columns_.start[column + 1] - columns_.start[column]);
+  }
+  blocks_.resize(block_floats * structure.blocks());
+  unscaled_.resize(block_floats * longest);
+  floor_.resize(static_cast<std::size_t>(structure.size()));
+}
+
+bool BlockIncompleteCholesky::build(const PaddedMatrix& matrix) {
+  shift_ = shift_ < first_shift ? 0 : 0.5 * shift_;
+  while (!factorise(matrix)) {
+    shift_ = std::max(first_shift, 2 * shift_);
+    if (shift_ > largest_shift) return false;
+  }
+  return true;
+}
+
+bool BlockIncompleteCholesky::factorise(const PaddedMatrix& matrix) {
+  blocks_ = matrix.blocks();
+  for (int i = 0; i < structure_->size(); ++i) {
+    PaddedBlock diagonal(&blocks_[block_floats * structure_->diagonal(i)]);
+    const float largest = diagonal.cwiseAbs().maxCoeff();
+    floor_[static_cast<std::size_t>(i)] = least_pivot * largest;
+    diagonal.diagonal().array() += static_cast<float>(shift_) * largest;
+  }
+  for (int k = 0; k < structure_->size(); ++k) {
+    if (!invert_diagonal(k)) return false;
+    eliminate(k);
+  }
+  return true;
+}
+
+bool BlockIncompleteCholesky::invert_diagonal(int row) {
+  PaddedBlock diagonal(&blocks_[block_floats * structure_->diagonal(row)]);
+  const Matrix3 block = diagonal.topRows<3>().cast<double>();
+  Matrix3 inverse;
+  // dropped fill came in without its transpose, hence the mean
+  const Matrix3 mean = 0.5 * (block + block.transpose());
+  if (!invert_definite(mean, floor_[static_cast<std::size_t>(row)], inverse)) return false;
+  diagonal.topRows<3>() = inverse.cast<float>();
+  return true;
+}
+
+/// Column k: L_ik = A_ik D_k⁻¹, and A_ij −= L_ik A_jkᵀ for all its pairs i ≥ j.
+void BlockIncompleteCholesky::eliminate(int column) {
+  const auto first = static_cast<std::size_t>(columns_.start[static_cast<std::size_t>(column)]);
+  const auto last = static_cast<std::size_t>(columns_.start[static_cast<std::size_t>(column) + 1]);
+  float* const block = blocks_.data();
+  const float* const inverse = block + block_floats * structure_->diagonal(column);  // symmetric
+  const auto* target = target_.data() + target_start_[static_cast<std::size_t>(column)];
+  const auto diagonal = [&](std::size_t place) {
+    return block + block_floats * structure_->diagonal(columns_.row[place]);
+  };
+  const auto kept = static_cast<float>(modification_);
+  for (auto i = first; i < last; ++i) {
+    float* const unscaled_i = unscaled_.data() + block_floats * static_cast<std::int64_t>(i - first);
+    float* const entry = block + block_floats * columns_.block[i];
+    store_block(unscaled_i, load_block(entry));
+    const auto scaled = times_transposed(load_block(unscaled_i), inverse);
+    store_block(entry, scaled);
+    for (auto j = first; j < i; ++j) {
+      const auto update =
+          times_transposed(scaled, unscaled_.data() + block_floats * static_cast<std::int64_t>(j - first));
+      if (*target >= 0) {
+        subtract(block + block_floats * *target, update);
+      } else if (kept > 0) {
+        const LaneBlock moved{kept * update.c0, kept * update.c1, kept * update.c2};
+        subtract(diagonal(i), moved);
+        subtract(diagonal(j), moved);
+      }
+      ++target;
+    }
+    subtract(diagonal(i), times_transposed(scaled, unscaled_i));
+  }
+}
+
+void BlockIncompleteCholesky::apply(ConstPaddedRef r, PaddedRef z) const {
+  const float* const block = blocks_.data();
+  const int n = structure_->size();
+  for (int i = 0; i < n; ++i) {  // (I + L) w = r
+    Lanes sum = Lanes::Zero();
+    for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < structure_->diagonal(i); ++k)
+      sum = plus_product(sum, load_block(block + block_floats * k),
+                         z.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
+    store(z.data() + 4 * Eigen::Index{i}, load(r.data() + 4 * Eigen::Index{i}) - sum);
+  }
+  for (int j = n - 1; j >= 0; --j) {  // (I + Lᵀ) z = D⁻¹ w
+    float* const z_j = z.data() + 4 * Eigen::Index{j};
+    const auto scaled = plus_product(Lanes::Zero(), load_block(block + block_floats * structure_->diagonal(j)), z_j);
+    TransposedSum below;
+    for (auto k = columns_.start[static_cast<std::size_t>(j) + 1]; k-- > columns_.start[static_cast<std::size_t>(j)];) {
+      const auto place = static_cast<std::size_t>(k);
+      below.add(load_block(block + block_floats * columns_.block[place]),
+                load(z.data() + 4 * Eigen::Index{columns_.row[place]}));
+    }
+    store(z_j, scaled - below.total());
+  }
+}
+
+}  // namespace sundrape

@@ -1,0 +1,70 @@
+#include "sundrape/linalg/padded_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "lanes.hpp"
+
+namespace sundrape {
+namespace {
+
+void store_scaled(float* out, const Matrix3& block, double factor) {
+  Eigen::Map<Eigen::Matrix<float, 4, 3>> padded(out);
+  padded.topRows<3>() = (factor * block).cast<float>();
+  padded.row(3).setZero();
+}
+
+}  // namespace
+
+void pad(ConstVectorRef v, double factor, PaddedRef out) {
+  for (Eigen::Index i = 0; i < v.size() / 3; ++i) {
+    out.segment<3>(4 * i) = (factor * v.segment<3>(3 * i)).cast<float>();
+    out[4 * i + 3] = 0;
+  }
+}
+
+void unpad(ConstPaddedRef v, double factor, VectorRef out) {
+  for (Eigen::Index i = 0; i < v.size() / 4; ++i) out.segment<3>(3 * i) = factor * v.segment<3>(4 * i).cast<double>();
+}
+
+PaddedMatrix::PaddedMatrix(const BlockStructure& structure)
+    : structure_(&structure), columns_(structure), blocks_(block_floats * structure.blocks()) {}
+
+void PaddedMatrix::copy(const BlockMatrix& matrix) {
+  if (matrix.symmetry() != Symmetry::symmetric) throw std::invalid_argument("an unsymmetric matrix has no padded copy");
+  if (matrix.size() != size() || matrix.structure().blocks() != structure_->blocks())
+    throw std::invalid_argument("the matrix has another structure than the one analysed");
+  scale_ = 0;
+  for (int i = 0; i < size(); ++i)
+    scale_ = std::max(scale_, matrix.lower(structure_->diagonal(i)).diagonal().cwiseAbs().maxCoeff());
+  if (!(scale_ > 0 && std::isfinite(scale_))) scale_ = 1;
+  const double factor = 1 / scale_;
+  for (int i = 0; i < size(); ++i) {
+    const auto diagonal = structure_->diagonal(i);
+    for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < diagonal; ++k)
+      store_scaled(&blocks_[block_floats * k], matrix.lower(k), factor);
+    store_scaled(&blocks_[block_floats * diagonal], matrix.diagonal(i), factor);
+  }
+}
+
+// Each block is read twice, by its row and by its column, which is cheaper than scattering its transposed products.
+void PaddedMatrix::multiply(ConstPaddedRef x, PaddedRef y) const {
+  const auto* block = blocks_.data();
+  for (int i = 0; i < size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    Lanes sum = Lanes::Zero();
+    for (auto k = structure_->row_start[row]; k < structure_->row_start[row + 1]; ++k)
+      sum = plus_product(sum, load_block(block + block_floats * k),
+                         x.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
+    TransposedSum below;
+    for (auto k = columns_.start[row]; k < columns_.start[row + 1]; ++k) {
+      const auto place = static_cast<std::size_t>(k);
+      below.add(load_block(block + block_floats * columns_.block[place]),
+                load(x.data() + 4 * Eigen::Index{columns_.row[place]}));
+    }
+    store(y.data() + 4 * Eigen::Index{i}, sum + below.total());
+  }
+}
+
+}  // namespace sundrape

@@ -1,0 +1,65 @@
+#include "sundrape/system/condensed_newton.hpp"
+
+#include "sundrape/system/stopwatch.hpp"
+
+namespace sundrape {
+
+CondensedNewton::CondensedNewton(const System& system, std::unique_ptr<LinearSolver> solver, double tolerance)
+    : system_(system), solver_(std::move(solver)), matrix_(system.structure(), solver_->symmetry()), tolerance_(tolerance) {
+  const auto all = 3 * static_cast<Eigen::Index>(system.unknowns().points());
+  q_.resize(all);
+  v_.resize(all);
+  shifted_v_.resize(all);
+  force_.resize(all);
+  shifted_force_.resize(all);
+  right_side_.resize(system.unknowns().size());
+  solver_->analyse(system.structure());
+}
+
+FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, ConstVectorRef v) {
+  {
+    const Stopwatch watch(counters_.assembly_seconds);
+    c_ = c;
+    time_ = time;
+    system_.expand(q, v, q_, v_);
+    matrix_.set_zero();
+    matrix_.add_diagonal(system_.row_mass(), c * c);
+    system_.add_tangent({time, q_, v_}, -1, -c, matrix_);
+    system_.hold(matrix_);
+  }
+  const Stopwatch watch(counters_.factor_seconds);
+  ++counters_.factorizations;
+  const auto status = solver_->factor(matrix_);
+  if (status != FactorStatus::ok) ++counters_.failures;
+  return status;
+}
+
+SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv) {
+  const Stopwatch watch(counters_.solve_seconds);
+  right_side_ = r_v;
+  if (!r_q.isZero(0)) {
+    for (int r = 0; r < system_.unknowns().rows(); ++r) point(right_side_, r) += c_ * system_.row_mass()[r] * point(r_q, r);
+    add_damping_product(r_q, right_side_);
+  }
+  system_.unknowns().clear_held(right_side_);
+  auto report = solver_->solve(right_side_, dq, tolerance_);
+  ++counters_.solves;
+  counters_.linear_iterations += report.iterations;
+  if (report.ok && !dq.allFinite()) report = {false, report.iterations, "the solution is not finite"};
+  if (!report.ok) ++counters_.failures;
+  dv = c_ * dq - r_q;
+  return report;
+}
+
+void CondensedNewton::add_damping_product(ConstVectorRef r_q, VectorRef right_side) {
+  system_.force({time_, q_, v_}, force_);
+  shifted_v_.setZero();
+  system_.unknowns().scatter(r_q, shifted_v_);
+  shifted_v_ += v_;
+  system_.force({time_, q_, shifted_v_}, shifted_force_);
+  force_ -= shifted_force_;
+  for (int r = 0; r < system_.unknowns().rows(); ++r)
+    point(right_side, r) += point(force_, system_.unknowns().point_of_row()[static_cast<std::size_t>(r)]);
+}
+
+}  // namespace sundrape

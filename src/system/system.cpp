@@ -1,0 +1,86 @@
+#include "sundrape/system/system.hpp"
+
+#include <stdexcept>
+
+namespace sundrape {
+
+System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest)
+    : mass_(std::move(mass)), terms_(std::move(terms)), unknowns_(std::move(unknowns)), rest_(std::move(rest)) {
+  if (mass_.size() != unknowns_.points() || rest_.size() != 3 * mass_.size())
+    throw std::invalid_argument("masses, supports and coordinates differ in their number of points");
+  if (!(mass_.minCoeff() > 0)) throw std::invalid_argument("every point needs a positive mass [kg]");
+  row_mass_.resize(unknowns_.rows());
+  for (int r = 0; r < unknowns_.rows(); ++r) row_mass_[r] = mass_[unknowns_.point_of_row()[static_cast<std::size_t>(r)]];
+  Pattern pattern(unknowns_.row_of_point());
+  for (const auto& term : terms_) term->declare_pattern(pattern);
+  auto built = pattern.build();
+  structure_ = std::move(built.structure);
+  tables_ = std::move(built.tables);
+}
+
+void System::expand(ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const {
+  q = rest_;
+  v.setZero();
+  unknowns_.scatter(rows_q, q);
+  unknowns_.scatter(rows_v, v);
+}
+
+void System::force(const State& all, VectorRef f) const {
+  f.setZero();
+  for (const auto& term : terms_) term->add_force(all, f);
+}
+
+void System::add_tangent(const State& all, double dq, double dv, BlockMatrix& matrix) const {
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    Assembler assembler(matrix, tables_[k]);
+    terms_[k]->add_tangent(all, dq, dv, assembler);
+  }
+}
+
+void System::hold(BlockMatrix& matrix) const {
+  for (const auto& [row, component] : unknowns_.held_components()) {
+    const double size = matrix.lower(structure_.diagonal(row)).diagonal().cwiseAbs().maxCoeff();
+    matrix.hold(row, component, size > 0 ? size : 1.0);
+  }
+}
+
+Energies System::energies(const State& all) const {
+  Energies e;
+  for (int i = 0; i < mass_.size(); ++i) e.kinetic += 0.5 * mass_[i] * point(all.v, i).squaredNorm();
+  for (const auto& term : terms_) {
+    const double stored = term->energy(all);
+    switch (term->kind()) {
+      case EnergyKind::membrane: e.membrane += stored; break;
+      case EnergyKind::shear: e.shear += stored; break;
+      case EnergyKind::bending: e.bending += stored; break;
+      case EnergyKind::gravity: e.gravity += stored; break;
+      case EnergyKind::contact: e.contact += stored; break;
+      case EnergyKind::load: e.load += stored; break;
+      case EnergyKind::none: break;
+    }
+  }
+  return e;
+}
+
+double System::dissipated_power(const State& all) const {
+  double power = 0;
+  for (const auto& term : terms_) power += term->dissipated_power(all);
+  return power;
+}
+
+double System::external_power(const State& all) const {
+  double power = 0;
+  for (const auto& term : terms_) power += term->external_power(all);
+  return power;
+}
+
+double System::external_force_norm(const State& all) const {
+  Vector still = Vector::Zero(all.v.size()), f = Vector::Zero(all.q.size()), rows(unknowns_.size());
+  for (const auto& term : terms_)
+    if (term->is_external()) term->add_force({all.time, all.q, still}, f);
+  unknowns_.gather(f, rows);
+  unknowns_.clear_held(rows);
+  return rows.norm();
+}
+
+}  // namespace sundrape

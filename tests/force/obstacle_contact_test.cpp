@@ -1,0 +1,133 @@
+#include "sundrape/force/obstacle_contact.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "sundrape/force/obstacle_box.hpp"
+#include "sundrape/force/obstacle_cylinder.hpp"
+#include "sundrape/force/obstacle_plane.hpp"
+#include "sundrape/force/obstacle_sphere.hpp"
+
+#include "support/force_term_checks.hpp"
+
+namespace sundrape {
+namespace {
+
+using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
+
+constexpr double stiffness = 4e6, smoothing = 2e-3;  // a wide smoothing, so that random points fall on all of the law
+
+const Obstacles floor_at_zero = {std::make_shared<PlaneObstacle>(Vector3::Zero(), Vector3::UnitZ())};
+
+TestState at(const std::vector<Vector3>& nodes) { return perturbed(nodes, 0, 0, 1); }
+
+/// Nodes close to the surface of a body, from deep in the linear part of the law to just out of reach.
+TestState scattered_over(const Obstacle& body, int count) {
+  std::vector<Vector3> nodes;
+  const auto bounds = body.bounds();
+  for (int i = 0; static_cast<int>(nodes.size()) < count; ++i) {
+    const auto turn = [i](double rate) { return std::sin(rate * (i + 1)); };
+    const Vector3 x = bounds.center() + 0.55 * bounds.sizes().cwiseProduct(Vector3(turn(1.7), turn(2.9), turn(4.3)));
+    const auto d = body.distance(x);
+    if (d.gap < -1e-2) continue;
+    const double wanted = smoothing * (-0.5 + 1.6 * static_cast<double>(nodes.size()) / count);
+    nodes.push_back(x + (wanted - d.gap) * d.normal);
+  }
+  return at(nodes);
+}
+
+TEST(ObstacleContact, ForceIsTheGradientAndTangentTheHessianOnEveryCurvature) {
+  const Obstacles bodies = {std::make_shared<SphereObstacle>(0.05),
+                            std::make_shared<BoxObstacle>(Vector3(0.1, 0.08, 0.06), 0.012),
+                            std::make_shared<CylinderObstacle>(0.04, 0.1, 0.012)};
+  for (const auto& body : bodies) {
+    const ObstacleContact contact({body}, std::vector<double>(30, 1e-4), {stiffness, smoothing});
+    const auto state = scattered_over(*body, 30);
+    EXPECT_GT(contact.report(state).contacts, 20);
+    expect_consistent(contact, state, 1e-6);
+  }
+}
+
+TEST(ObstacleContact, TangentIsExactWhereTwoBodiesAreTouchedAtOnce) {
+  const Obstacles corner = {std::make_shared<PlaneObstacle>(Vector3::Zero(), Vector3::UnitZ()),
+                            std::make_shared<PlaneObstacle>(Vector3::Zero(), Vector3(1, 0, 0.5))};
+  const ObstacleContact contact(corner, {1e-4, 2e-4}, {stiffness, smoothing});
+  const auto state = at({{1e-3, 0, 5e-4}, {-1e-3, 0.3, 1e-3}});
+  EXPECT_EQ(contact.report(state).contacts, 4);
+  expect_consistent(contact, state, 1e-6);
+}
+
+TEST(ObstacleContact, RestingNodeCarriesItsWeightAtTheDepthOfTheLaw) {
+  // linear branch: A k (w/2 − gap) = W, so gap = w/2 − W / (A k)
+  constexpr double area = 1e-4, weight = 0.6;
+  const ObstacleContact contact(floor_at_zero, {area}, {stiffness, smoothing});
+  const double gap = 0.5 * smoothing - weight / (area * stiffness);
+  ASSERT_LT(gap, 0);
+  const auto state = at({{0.1, 0.2, gap}});
+  Vector force = Vector::Zero(3);
+  contact.add_force(state, force);
+  EXPECT_NEAR(force[2], weight, 1e-12);
+  EXPECT_EQ(force.head<2>().norm(), 0);
+  const auto report = contact.report(state);
+  EXPECT_EQ(report.contacts, 1);
+  EXPECT_NEAR(report.deepest_penetration, -gap, 1e-15);
+  EXPECT_NEAR(report.total_forces.front().z(), weight, 1e-12);
+}
+
+TEST(ObstacleContact, EnergyIsTheWorkOfPressingANodeDown) {
+  const ObstacleContact contact(floor_at_zero, {1e-4}, {stiffness, smoothing});
+  double work = 0;
+  constexpr int steps = 4000;
+  constexpr double from = 1.2 * smoothing, to = -0.8 * smoothing, step = (from - to) / steps;
+  for (int i = 0; i < steps; ++i) {
+    Vector force = Vector::Zero(3);
+    contact.add_force(at({{0, 0, from - (i + 0.5) * step}}), force);
+    work += force[2] * step;
+  }
+  EXPECT_NEAR(contact.energy(at({{0, 0, to}})), work, 1e-6 * work);
+}
+
+TEST(ObstacleContact, FarNodesFeelNothing) {
+  const Obstacles table = {std::make_shared<BoxObstacle>(Vector3(0.08, 0.08, 0.08), 0.001)};
+  const ObstacleContact contact(table, {1e-4, 1e-4}, {stiffness, smoothing});
+  const auto state = at({{0.2, 0, 0}, {0, 0, 0.04 + 1.001 * smoothing}});
+  Vector force = Vector::Zero(6);
+  contact.add_force(state, force);
+  EXPECT_EQ(force.norm(), 0);
+  EXPECT_EQ(contact.energy(state), 0);
+  EXPECT_EQ(contact.report(state).contacts, 0);
+  EXPECT_TRUE(dense_tangent(contact, state, 1, 0, Symmetry::symmetric).isZero());
+}
+
+TEST(ObstacleContact, TotalForcesAreKeptApartByObstacleAndSumToTheNodesForces) {
+  const Obstacles bodies = {floor_at_zero.front(), std::make_shared<SphereObstacle>(0.05)};
+  const ObstacleContact contact(bodies, {1e-4, 1e-4}, {stiffness, smoothing});
+  const auto state = at({{0.3, 0, 0.001}, {0, 0, 0.0495}});
+  const auto report = contact.report(state);
+  EXPECT_GT(report.total_forces[0].z(), 0);
+  EXPECT_GT(report.total_forces[1].z(), 0);
+  Vector force = Vector::Zero(6);
+  contact.add_force(state, force);
+  EXPECT_TRUE((report.total_forces[0] + report.total_forces[1]).isApprox(force.head<3>() + force.tail<3>(), 1e-14));
+  EXPECT_TRUE(report.total_forces[0].isApprox(force.head<3>(), 1e-14));
+}
+
+TEST(ObstacleContact, ClosestIsTheNearestSurfaceWithItsNormal) {
+  const Obstacles bodies = {floor_at_zero.front(), std::make_shared<SphereObstacle>(0.05)};
+  const ObstacleContact contact(bodies, {1e-4}, {stiffness, smoothing});
+  const auto above_ball = contact.closest({0, 0, 0.06});
+  EXPECT_NEAR(above_ball.first, 0.01, 1e-15);
+  const auto over_floor = contact.closest({0.3, 0, 0.02});
+  EXPECT_NEAR(over_floor.first, 0.02, 1e-15);
+  EXPECT_TRUE(over_floor.second.isApprox(Vector3::UnitZ()));
+  EXPECT_TRUE(std::isinf(ObstacleContact({}, {1e-4}, {stiffness, smoothing}).closest({0, 0, 0}).first));
+}
+
+TEST(ObstacleContact, RefusesNegativeAreasAndMissingBodies) {
+  EXPECT_THROW(ObstacleContact(floor_at_zero, {-1.0}, {stiffness, smoothing}), std::invalid_argument);
+  EXPECT_THROW(ObstacleContact({nullptr}, {1.0}, {stiffness, smoothing}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sundrape

@@ -1,0 +1,83 @@
+#include "sundrape/io/key_table.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "sundrape/io/nearest_name.hpp"
+#include "sundrape/io/units.hpp"
+
+namespace sundrape {
+namespace {
+
+const std::string guide = std::string(SUNDRAPE_SOURCE_DIR) + "/docs/case-file.md";
+const std::string begin_mark = "<!-- key table: begin; written by the tests, see below -->\n";
+const std::string end_mark = "<!-- key table: end -->\n";
+
+std::string read(const std::string& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST(KeyTable, IsTheReferenceInTheDocs) {
+  std::string text = read(guide);
+  const auto begin = text.find(begin_mark);
+  const auto end = text.find(end_mark);
+  ASSERT_NE(begin, std::string::npos);
+  ASSERT_NE(end, std::string::npos);
+  const auto from = begin + begin_mark.size();
+  if (std::getenv("SUNDRAPE_UPDATE_DOCS") != nullptr) {
+    text.replace(from, end - from, "\n" + key_table_markdown());
+    std::ofstream(guide) << text;
+    return;
+  }
+  EXPECT_EQ(text.substr(from, end - from), "\n" + key_table_markdown())
+      << "run the tests once with SUNDRAPE_UPDATE_DOCS=1 to bring docs/case-file.md up to date";
+}
+
+TEST(KeyTable, SaysSomethingOfEveryKeyAndNamesItOnceAKind) {
+  for (const auto& section : key_table()) {
+    std::set<std::string> seen;
+    for (const auto& key : section.keys) {
+      EXPECT_FALSE(key.doc.empty()) << section.name << '.' << key.name;
+      for (const auto& kind : key.kinds.empty() ? std::vector<std::string>{""} : key.kinds)
+        EXPECT_TRUE(seen.insert(kind + '/' + key.name).second) << section.name << '.' << key.name << " twice";
+    }
+  }
+}
+
+TEST(KeyTable, HasASectionForEveryTableAndAUnitForEveryQuantity) {
+  const Units units;
+  for (const auto& section : key_table())
+    for (const auto& key : section.keys) {
+      if (!key.holds.empty()) {
+        EXPECT_NO_THROW((void)key_section(key.holds)) << key.holds;
+      }
+      EXPECT_NO_THROW((void)units.parse_quantity(key.unit == "1" ? "1" : "1 " + key.unit, key.unit)) << key.unit;
+      EXPECT_EQ(units.dimension(key.unit).find("of another dimension"), std::string::npos) << key.unit;
+    }
+  EXPECT_THROW((void)key_section("nothing"), std::invalid_argument);
+}
+
+TEST(Range, PrintsAndKeepsItsEnds) {
+  const Range half_open{.low = 0, .high = 0.5, .low_included = true};
+  EXPECT_EQ(half_open.text(), "[0, 0.5)");
+  EXPECT_TRUE(half_open.contains(0));
+  EXPECT_FALSE(half_open.contains(0.5));
+  EXPECT_FALSE(Range{}.bounded());
+}
+
+TEST(NearestName, ForgivesOneSlipInThreeLetters) {
+  EXPECT_EQ(nearest_name("poison", {"thickness", "poisson"}), "poisson");
+  EXPECT_EQ(nearest_name("durtaion", {"duration", "rtol"}), "duration");  // a swap counts once
+  EXPECT_EQ(nearest_name("youngs", {"warp_modulus", "youngs_modulus"}), "youngs_modulus");
+  EXPECT_EQ(nearest_name("nearest", {"box", "near"}), "near");
+  EXPECT_EQ(nearest_name("abc", {"xyz"}), "");
+  EXPECT_EQ(nearest_name("rol", {"rtol", "role"}), "rtol");  // of equals the first
+}
+
+}  // namespace
+}  // namespace sundrape
