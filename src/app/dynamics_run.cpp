@@ -14,7 +14,6 @@ namespace sundrape {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds checkpoint_every(2);   // of wall clock: a checkpoint waits for the disk
 
 SolverKind solver_kind(const std::string& name) {
   if (name == "cholesky") return SolverKind::cholesky;
@@ -55,14 +54,41 @@ std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& mode
   return make_cvode(*model.system, std::move(solver), options, events);
 }
 
+/// Every number that an integrator counts, in the order that checkpoints have.
+template <class Statistics, class Visit>
+void visit_totals(Statistics& s, Visit&& visit) {
+  visit(s.steps), visit(s.force_evaluations), visit(s.newton_iterations), visit(s.error_test_failures), visit(s.step_solve_failures), visit(s.restarts);
+  visit(s.linear.factorizations), visit(s.linear.solves), visit(s.linear.linear_iterations), visit(s.linear.failures);
+  visit(s.linear.assembly_seconds), visit(s.linear.factor_seconds), visit(s.linear.solve_seconds);
+}
+
+/// An integrator's counts on top of those of the run that it resumes.
+IntegratorStatistics since_the_start(IntegratorStatistics s, const std::optional<Recorder::Restart>& restart) {
+  if (restart) {
+    std::size_t k = 0;
+    visit_totals(s, [&](auto& total) { total += static_cast<std::decay_t<decltype(total)>>(restart->totals.at(k++)); });
+  }
+  return s;
+}
+
+std::vector<double> as_list(const IntegratorStatistics& s) {
+  std::vector<double> list;
+  visit_totals(s, [&](const auto& total) { list.push_back(static_cast<double>(total)); });
+  return list;
+}
+
 class Watch final : public DynamicsObserver {
  public:
-  Watch(const Case& c, Recorder& recorder, Progress& progress) : case_(c), recorder_(recorder), progress_(progress), start_(Clock::now()), last_checkpoint_(start_) {}
+  Watch(const Case& c, const Integrator& integrator, Recorder& recorder, Progress& progress)
+      : case_(c), integrator_(integrator), recorder_(recorder), progress_(progress), start_(Clock::now()), last_checkpoint_(start_) {
+    if (recorder.restart()) last_step_size_ = recorder.restart()->step_size;
+  }
 
   void attach(Dynamics& dynamics) { dynamics_ = &dynamics; }
 
   void frame(const State& all, const EnergyAudit::Balance& balance) override {
     recorder_.frame(all, balance);
+    last_frame_ = all.time;
   }
 
   void step(const State& all, const StepReport& report, const Integrator& integrator) override {
@@ -78,7 +104,7 @@ class Watch final : public DynamicsObserver {
                            {"convergence_failures", since(s.step_solve_failures, solve_failures_)},
                            {"contacts", contact.contacts}});
     last_step_size_ = report.step_size;
-    if (!checkpoint_written_ || Clock::now() - last_checkpoint_ > checkpoint_every) checkpoint();
+    if (!checkpoint_written_ || std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() > case_.output.checkpoint_every) checkpoint();
     if (progress_.due())
       progress_.show(fmt::format("t = {:.4f} s, step {:.2e} s, order {}, {} steps, {} Newton iterations, {} contacts", report.time, report.step_size, report.order,
                                  s.steps, s.newton_iterations, contact.contacts),
@@ -93,19 +119,26 @@ class Watch final : public DynamicsObserver {
 
   void checkpoint() {
     const auto at = dynamics_->last();
-    recorder_.checkpoint(at, dynamics_->audit().at(at), dynamics_->audit().initial_energy(), last_step_size_);
+    recorder_.checkpoint(at, dynamics_->audit().at(at), dynamics_->audit().initial_energy(), last_step_size_, as_list(since_the_start(integrator_.statistics(), recorder_.restart())));
     checkpoint_written_ = true;
     last_checkpoint_ = Clock::now();
   }
 
+  /// Where a failed run ended, to look at; not part of the checkpoint, so that a resumed run has frames at its frame times only.
+  void frame_of_failure() {
+    const auto at = dynamics_->last();
+    if (at.time > last_frame_) frame(at, dynamics_->audit().at(at));
+  }
+
  private:
   const Case& case_;
+  const Integrator& integrator_;
   Recorder& recorder_;
   Progress& progress_;
   Dynamics* dynamics_ = nullptr;
   Clock::time_point start_, last_checkpoint_;
   bool checkpoint_written_ = false, out_of_time_ = false;
-  double last_step_size_ = 0;
+  double last_step_size_ = 0, last_frame_ = -1;
   long newton_ = 0, linear_ = 0, error_failures_ = 0, solve_failures_ = 0;
 };
 
@@ -133,11 +166,12 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
   if (c.contact.restitution && model.contact)
     impact = std::make_unique<Impact>(*model.contact, model.system->mass(), *c.contact.restitution, c.contact.restitution_speed);
   const auto integrator = make_integrator(c, model, impact.get(), recorder, progress);
-  Watch watch(c, recorder, progress);
+  Watch watch(c, *integrator, recorder, progress);
   Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get());
   watch.attach(dynamics);
 
   AnalysisEnd end;
+  bool failed = false;
   try {
     DynamicsEnd how = DynamicsEnd::reached;
     if (const auto& restart = recorder.restart()) {
@@ -154,11 +188,14 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
       end = {ResultStatus::interrupted, fmt::format("interrupted at t = {:.6g} s: continue with --resume", dynamics.last().time)};
   } catch (const IntegrationFailure& failure) {
     end = {ResultStatus::failed, failure.what()};
+    failed = true;
   }
   const auto last = dynamics.last();
-  const auto balance = dynamics.audit().at(last);
-  if (last.q.allFinite() && last.v.allFinite()) watch.checkpoint();
-  record_statistics(integrator->statistics(), balance, recorder);
+  if (last.q.allFinite() && last.v.allFinite()) {
+    watch.checkpoint();
+    if (failed) watch.frame_of_failure();
+  }
+  record_statistics(since_the_start(integrator->statistics(), recorder.restart()), dynamics.audit().at(last), recorder);
   return end;
 }
 

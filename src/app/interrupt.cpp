@@ -1,6 +1,7 @@
 #include "sundrape/app/interrupt.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace sundrape {
 namespace {
@@ -16,8 +17,8 @@ extern "C" void remember(int signal) {
 
 InterruptGuard::InterruptGuard() {
   interrupted = 0;
-  std::signal(SIGINT, remember);
-  std::signal(SIGTERM, remember);
+  for (const int signal : {SIGINT, SIGTERM})
+    if (std::signal(signal, remember) == SIG_IGN) std::signal(signal, SIG_IGN);   // nohup and the like
 }
 
 InterruptGuard::~InterruptGuard() {

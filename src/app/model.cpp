@@ -94,7 +94,7 @@ using Terms = std::vector<std::unique_ptr<ForceTerm>>;
 void add_loads(const Case& c, CaseModel& model, const Threads& threads, const std::vector<Vector3>& placed, const Vector& mass, Terms& terms) {
   Vector3 gravity = Vector3::Zero();
   for (const auto& load : c.loads) {
-    const Ramp ramp{load.ramp};
+    const Ramp ramp{c.analysis == Analysis::dynamics ? load.ramp : 0};   // statics knows no time: loads have their full size
     std::visit(Overload{[&](const GravityLoad& g) {
                           gravity += g.acceleration;
                           terms.push_back(std::make_unique<DeadLoad>("gravity", EnergyKind::gravity, weight(mass, g.acceleration), ramp));

@@ -1,10 +1,13 @@
 #include "sundrape/app/recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "sundrape/io/file_error.hpp"
+#include "sundrape/io/result_layout.hpp"
 #include "sundrape/io/result_reader.hpp"
 #include "sundrape/statics/relaxation.hpp"
 #include "sundrape/version.hpp"
@@ -41,31 +44,59 @@ Recorder::Restart read_restart(const ResultReader& earlier, const std::filesyste
     return found->second;
   };
   const auto& books = get("books");
-  Recorder::Restart r{.time = get("time").at(0), .q = as_vector(get("q")), .v = as_vector(get("v")), .balance = {}, .initial_energy = books.at(2), .step_size = books.at(3)};
+  const auto& extremes = get("extremes");
+  const auto& times = get("run_seconds");
+  Recorder::Restart r{.time = get("time").at(0), .q = as_vector(get("q")), .v = as_vector(get("v")), .balance = {}, .initial_energy = books.at(2), .step_size = books.at(3), .totals = get("totals"), .extremes = {}, .wall = times.at(0), .cpu = times.at(1)};
   if (r.q.size() != size || r.v.size() != size) throw FileError(file.string() + ": its checkpoint belongs to another mesh");
   r.balance.dissipated = books.at(0);
   r.balance.external_work = books.at(1);
+  r.extremes = {.largest_edge_strain = extremes.at(0), .smallest_edge_strain = extremes.at(1), .deepest_penetration = extremes.at(2), .sharpest_bend = extremes.at(3)};
   return r;
 }
 
 ResultWriter open_writer(const ResultHeader& header, const Recorder::Files& files, std::optional<Recorder::Restart>& restart) {
   if (!files.resume) return {files.output, header};
   const ResultReader earlier(*files.resume);
+  if (earlier.analysis() != header.analysis)
+    throw FileError(fmt::format("{}: is the result of analysis = \"{}\", the case says \"{}\"", files.resume->string(), earlier.analysis(), header.analysis));
   restart = read_restart(earlier, *files.resume, static_cast<Eigen::Index>(3 * header.mesh.reference.size()));
   return ResultWriter::resume(files.output, header, earlier);
 }
 
+/// What the summary says of the last frame, except its positions.
+Frame last_frame(const ResultReader& result, const CaseModel& model) {
+  Frame f;
+  if (result.frames() == 0) return f;
+  const auto last = result.frames() - 1;
+  const auto energies = result.energies();
+  const auto energy = [&](const char* name) { return energies.at(name).at(last); };
+  f.variable = result.frame_values().at(last);
+  f.contact_force = result.contact_force(last);
+  f.energies = {.kinetic = energy("kinetic"), .membrane = energy("membrane"), .shear = energy("shear"), .bending = energy("bending"), .gravity = energy("gravity"),
+                .contact = energy("contact"), .dissipated = energy("dissipated"), .external_work = energy("external_work"), .method_dissipated = energy("method_dissipated")};
+  f.residual = result.residual().at(last);
+  f.negative_pivots = static_cast<int>(result.negative_pivots().at(last));
+  const auto reactions = result.reactions();
+  for (const auto& set : model.reactions) f.reactions.push_back(reactions.at(layout::link_name(set.name)).at(last));
+  return f;
+}
+
 }  // namespace
 
-Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns, std::uint64_t expected_frames)
+Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns, std::uint64_t expected_frames, RunClock clock)
     : case_(c),
       model_(model),
       header_(header_of(c, model, std::move(columns), expected_frames)),
+      clock_(clock),
       writer_(open_writer(header_, files, restart_)),
       xdmf_(files.output, header_) {
   if (files.resume) {
     const ResultReader earlier(files.output);
     xdmf_.set_frames(earlier.frame_values());
+    last_ = last_frame(earlier, model);
+    warnings_ = earlier.warnings();
+    extremes_ = restart_->extremes;
+    clock_.carry_over(restart_->wall, restart_->cpu);
   }
 }
 
@@ -103,13 +134,17 @@ ContactReport Recorder::step(const State& all) {
   return report;
 }
 
-void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size) {
+void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size, const std::vector<double>& totals) {
+  const auto& e = extremes_;
   Checkpoint c;
-  c.arrays = {{"time", {all.time}}, {"q", as_list(all.q)}, {"v", as_list(all.v)}, {"books", {balance.dissipated, balance.external_work, initial_energy, step_size}}};
+  c.arrays = {{"time", {all.time}}, {"q", as_list(all.q)}, {"v", as_list(all.v)}, {"books", {balance.dissipated, balance.external_work, initial_energy, step_size}},
+              {"totals", totals}, {"extremes", {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend}},
+              {"run_seconds", {clock_.wall(), clock_.cpu()}}};
   writer_.write_checkpoint(c);
 }
 
 void Recorder::warn(const std::string& text) {
+  if (std::ranges::find(warnings_, text) != warnings_.end()) return;
   warnings_.push_back(text);
   writer_.add_warning(text);
 }

@@ -36,18 +36,34 @@ EnergyAudit::Balance balance_of(const System& system, const State& all, double i
 
 class Watch final : public RelaxationObserver {
  public:
-  Watch(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress, double initial_load)
-      : case_(c), model_(model), recorder_(recorder), progress_(progress), initial_load_(initial_load), start_(Clock::now()) {}
+  Watch(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress, double initial_load, double first_step)
+      : case_(c), model_(model), recorder_(recorder), progress_(progress), initial_load_(initial_load), still_(Vector::Zero(model.initial.size())), start_(Clock::now()) {
+    now_.step_size = first_step;
+    if (const auto& restart = recorder.restart()) before_ = now_ = {restart->time, restart->step_size, restart->totals.at(0), restart->totals.at(1)};
+  }
 
   void step(const State& all, const RelaxationStep& step) override {
-    const auto contact = recorder_.step(all);
-    recorder_.step_values({{"time", step.time}, {"step_size", step.step_size}, {"residual", step.residual}, {"newton_iterations", 1}, {"contacts", contact.contacts}, {"negative_pivots", -1}});
-    if (++steps_ % frame_every == 0 && step.residual > case_.relaxation.tolerance) {
-      recorder_.frame(all, balance_of(*model_.system, all, initial_load_));
-      checkpoint(all, step.step_size);
+    if (due_) {   // not at once: what turns out to be the last frame is written with its stability
+      frame(*due_);
+      checkpoint(*due_);
+      due_.reset();
     }
-    if (progress_.due()) progress_.show(fmt::format("iteration {}, residual {:.2e}, step {:.2e} s, {} contacts", step.iteration, step.residual, step.step_size, contact.contacts), -1);
+    const int factored = case_.relaxation.scheme == "chapter" ? 0 : 1 + step.refused;
+    now_ = {before_.time + step.time, step.step_size, before_.iterations + step.iteration, now_.factorizations + factored};
+    const auto contact = recorder_.step({now_.time, all.q, all.v});
+    recorder_.step_values({{"time", now_.time}, {"step_size", step.step_size}, {"residual", step.residual}, {"newton_iterations", 1}, {"contacts", contact.contacts}, {"negative_pivots", -1}});
+    if (++steps_ % frame_every == 0) due_ = all.q;
+    if (progress_.due()) progress_.show(fmt::format("iteration {}, residual {:.2e}, step {:.2e} s, {} contacts", now_.iterations, step.residual, step.step_size, contact.contacts), -1);
   }
+
+  /// How far the relaxation is, from its very start.
+  struct Course {
+    double time = 0, step_size = 0;              // of the fictitious motion [s]
+    double iterations = 0, factorizations = 0;
+  };
+  [[nodiscard]] const Course& before() const { return before_; }
+  /// Whether this state has no frame yet.
+  [[nodiscard]] bool is_new() const { return steps_ > 0; }
 
   [[nodiscard]] bool wants_to_stop() override {
     if (case_.relaxation.time_limit && std::chrono::duration<double>(Clock::now() - start_).count() > *case_.relaxation.time_limit) out_of_time_ = true;
@@ -55,7 +71,14 @@ class Watch final : public RelaxationObserver {
   }
   [[nodiscard]] bool out_of_time() const { return out_of_time_; }
 
-  void checkpoint(const State& all, double step_size) { recorder_.checkpoint(all, balance_of(*model_.system, all, initial_load_), 0, step_size); }
+  void frame(const Vector& q, std::optional<int> pivots = std::nullopt) {
+    const State all{now_.time, q, still_};
+    recorder_.frame(all, balance_of(*model_.system, all, initial_load_), pivots);
+  }
+  void checkpoint(const Vector& q) {
+    const State all{now_.time, q, still_};
+    recorder_.checkpoint(all, balance_of(*model_.system, all, initial_load_), 0, now_.step_size, {now_.iterations, now_.factorizations});
+  }
 
  private:
   const Case& case_;
@@ -63,7 +86,10 @@ class Watch final : public RelaxationObserver {
   Recorder& recorder_;
   Progress& progress_;
   double initial_load_;
+  Vector still_;
   Clock::time_point start_;
+  Course before_, now_;
+  std::optional<Vector> due_;   // positions that wait to become a frame
   bool out_of_time_ = false;
   int steps_ = 0;
 };
@@ -91,8 +117,8 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
   }
   const Vector still = Vector::Zero(q.size());
   const double initial_load = system.energies({0, model.initial, still}).load;
-  Watch watch(c, model, recorder, progress, initial_load);
-  if (!recorder.restart()) recorder.frame({0, q, still}, balance_of(system, {0, q, still}, initial_load));
+  Watch watch(c, model, recorder, progress, initial_load, first_step);
+  if (!recorder.restart()) watch.frame(q);
 
   RelaxationResult result;
   if (c.relaxation.scheme == "chapter") {
@@ -105,14 +131,13 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
                    {.tolerance = c.relaxation.tolerance, .max_iterations = c.relaxation.max_iterations, .first_step = first_step, .growth = c.relaxation.growth, .force_scale = force_scale}, q, watch);
   }
 
-  const State last{static_cast<double>(result.iterations), q, still};
-  recorder.statistic("iterations", static_cast<std::int64_t>(result.iterations), "steps of the relaxation");
-  recorder.statistic("factorizations", static_cast<std::int64_t>(result.factorizations), "matrices factored");
+  recorder.statistic("iterations", static_cast<std::int64_t>(watch.before().iterations) + result.iterations, "steps of the relaxation");
+  recorder.statistic("factorizations", static_cast<std::int64_t>(watch.before().factorizations) + result.factorizations, "matrices factored");
   recorder.statistic("residual", result.residual, "|out-of-balance force| / |external force| at the end");
   AnalysisEnd end;
   std::optional<int> pivots;
   if (result.end == RelaxationEnd::converged) {
-    pivots = negative_pivots(system, last, 1e-3 / swing);
+    pivots = negative_pivots(system, {0, q, still}, 1e-3 / swing);
     recorder.statistic("negative_pivots", static_cast<std::int64_t>(pivots.value_or(-1)), "of the tangent at the end: 0 means a stable equilibrium, -1 that the factorisation broke down");
     if (!pivots)
       recorder.warn("the stability of this equilibrium is not known: the tangent's factorisation broke down");
@@ -126,8 +151,8 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
     end = {ResultStatus::failed, result.diagnosis};
   }
   if (q.allFinite()) {
-    recorder.frame(last, balance_of(system, last, initial_load), pivots);
-    watch.checkpoint(last, first_step);
+    if (watch.is_new()) watch.frame(q, pivots);
+    watch.checkpoint(q);
   }
   return end;
 }

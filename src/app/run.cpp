@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <chrono>
-#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -24,12 +22,20 @@ std::filesystem::path output_path(const RunOptions& options) {
   return options.case_file.stem().string() + ".h5";
 }
 
+void require_folder(const std::filesystem::path& file) {
+  const auto folder = file.parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) throw FileError(fmt::format("{}: its folder does not exist", file.string()));
+}
+
+/// Before the work rather than after it.
 void require_room(const RunOptions& options, const std::filesystem::path& output) {
+  for (const auto& file : {output, options.summary.value_or(output)})
+    if (std::filesystem::exists(file) && std::filesystem::equivalent(file, options.case_file)) throw FileError(fmt::format("{}: is the case itself; choose another name for what the run writes", file.string()));
   const bool goes_on = options.resume && std::filesystem::exists(*options.resume) && std::filesystem::exists(output) && std::filesystem::equivalent(*options.resume, output);
   if (std::filesystem::exists(output) && !options.overwrite && !goes_on)
     throw FileError(fmt::format("{}: exists already; choose another -o, or overwrite it with --force", output.string()));
-  const auto folder = output.parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder)) throw FileError(fmt::format("{}: its folder does not exist", output.string()));
+  require_folder(output);
+  if (options.summary) require_folder(*options.summary);
 }
 
 /// What a user should know about the numbers before using them.
@@ -66,8 +72,7 @@ std::string report(const nlohmann::json& s, const std::filesystem::path& output)
 }  // namespace
 
 ExitStatus run_case(const RunOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto cpu_start = std::clock();
+  const RunClock clock;
   omp_set_num_threads(options.threads);
   const Case c = read_case(options.case_file, options.sets);
   const auto output = output_path(options);
@@ -76,7 +81,7 @@ ExitStatus run_case(const RunOptions& options) {
 
   const InterruptGuard guard;
   const bool dynamics = c.analysis == Analysis::dynamics;
-  Recorder recorder(c, model, {output, options.resume}, dynamics ? dynamics_step_columns() : relaxation_step_columns(), dynamics ? c.output.frame_times.size() : 32);
+  Recorder recorder(c, model, {output, options.resume}, dynamics ? dynamics_step_columns() : relaxation_step_columns(), dynamics ? c.output.frame_times.size() : 32, clock);
   AnalysisEnd end;
   nlohmann::json summary;
   {
@@ -84,8 +89,8 @@ ExitStatus run_case(const RunOptions& options) {
     progress.say(fmt::format("{}: {} nodes, {} unknowns, {}", c.title, model.mesh.nodes(), model.system->unknowns().size(), dynamics ? "dynamics" : "relaxation"));
     end = dynamics ? run_dynamics(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
     warn_of_extremes(c, recorder);
-    recorder.statistic("wall_seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), "wall-clock time [s]");
-    recorder.statistic("cpu_seconds", static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC, "processor time, all threads [s]");
+    recorder.statistic("wall_seconds", recorder.clock().wall(), "wall-clock time [s]");
+    recorder.statistic("cpu_seconds", recorder.clock().cpu(), "processor time, all threads [s]");
     recorder.finish(end.status, end.message);
     summary = recorder.summary(to_string(end.status), end.message);
     progress.say(report(summary, output));

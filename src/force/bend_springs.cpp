@@ -9,33 +9,83 @@
 namespace sundrape {
 namespace {
 
-/// Stiffness of one spring with respect to its edges a, b and axis c; rows and columns in that order.
+/// Second derivatives of one spring's energy by its edges a, b and axis c (and of its damping's power, where kept).
 struct EdgeTangent {
-  std::array<std::array<Matrix3, 3>, 3> block;
+  Matrix3 aa, ab, ac, bb, bc, cc;   // rows by the first letter
+  Matrix3 ba, ca, cb;               // transposes of the above unless the damping's own change is kept
 };
 
-/// modulus · g gᵀ + geometric · ∂²φ + rate_change · g (∂²φ · rates)ᵀ; the last part is not symmetric.
-EdgeTangent edge_tangent(const HingeAngle& hinge, const HingeCurvature& curved, double modulus, double geometric, double rate_change,
-                         const std::array<Vector3, 3>& rates) {
-  const std::array<Vector3, 3> g{hinge.ga, hinge.gb, hinge.gc};
+/// modulus · g gᵀ + geometric · ∂²φ
+EdgeTangent edge_tangent(const HingeAngle& hinge, const HingeCurvature& curved, double modulus, double geometric) {
+  const Vector3 ga = modulus * hinge.ga, gb = modulus * hinge.gb, gc = modulus * hinge.gc;
   EdgeTangent t;
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t s = 0; s < 3; ++s) t.block[r][s].noalias() = (modulus * g[r]) * g[s].transpose();
-  t.block[0][0] += geometric * curved.aa;
-  t.block[1][1] += geometric * curved.bb;
-  t.block[2][2] += geometric * curved.cc;
-  t.block[0][2] += geometric * curved.ac;
-  t.block[2][0] += geometric * curved.ac.transpose();
-  t.block[1][2] += geometric * curved.bc;
-  t.block[2][1] += geometric * curved.bc.transpose();
-  if (rate_change != 0) {
-    const auto& [a, b, c] = rates;
-    const std::array<Vector3, 3> h{curved.aa * a + curved.ac * c, curved.bb * b + curved.bc * c,
-                                   curved.ac.transpose() * a + curved.bc.transpose() * b + curved.cc * c};
-    for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t s = 0; s < 3; ++s) t.block[r][s].noalias() += (rate_change * g[r]) * h[s].transpose();
-  }
+  t.aa = ga * hinge.ga.transpose() + geometric * curved.aa;
+  t.bb = gb * hinge.gb.transpose() + geometric * curved.bb;
+  t.cc = gc * hinge.gc.transpose() + geometric * curved.cc;
+  t.ab = ga * hinge.gb.transpose();
+  t.ac = ga * hinge.gc.transpose() + geometric * curved.ac;
+  t.bc = gb * hinge.gc.transpose() + geometric * curved.bc;
   return t;
+}
+
+/// Adds factor · g (∂²φ · rates)ᵀ, by which the damping moment changes as the spring turns: not symmetric.
+void add_rate_change(EdgeTangent& t, const HingeAngle& hinge, const HingeCurvature& curved, double factor, const Vector3& a, const Vector3& b, const Vector3& c) {
+  t.ba = t.ab.transpose();
+  t.ca = t.ac.transpose();
+  t.cb = t.bc.transpose();
+  const Vector3 ha = factor * (curved.aa * a + curved.ac * c), hb = factor * (curved.bb * b + curved.bc * c);
+  const Vector3 hc = factor * (curved.ac.transpose() * a + curved.bc.transpose() * b + curved.cc * c);
+  t.aa += hinge.ga * ha.transpose();
+  t.ab += hinge.ga * hb.transpose();
+  t.ac += hinge.ga * hc.transpose();
+  t.ba += hinge.gb * ha.transpose();
+  t.bb += hinge.gb * hb.transpose();
+  t.bc += hinge.gb * hc.transpose();
+  t.ca += hinge.gc * ha.transpose();
+  t.cb += hinge.gc * hb.transpose();
+  t.cc += hinge.gc * hc.transpose();
+}
+
+/// −∂²/∂x_p∂x_q for the five points of a spring inside a sheet of straight crossing threads, where
+/// a = x₁ − x₀, b = x₂ − x₁, c = x₃ − x₄.
+void add_plain(const EdgeTangent& t, std::size_t e, Assembler& tangent) {
+  const Matrix3 a_minus_b_by_a = t.aa - t.ab.transpose(), a_minus_b_by_b = t.ab - t.bb, a_minus_b_by_c = t.ac - t.bc;
+  tangent.add_diagonal(e, 0, -t.aa);
+  tangent.add_diagonal(e, 1, a_minus_b_by_b - a_minus_b_by_a);
+  tangent.add_diagonal(e, 2, -t.bb);
+  tangent.add_diagonal(e, 3, -t.cc);
+  tangent.add_diagonal(e, 4, -t.cc);
+  tangent.add_pair(e, 0, 1, a_minus_b_by_a.transpose());
+  tangent.add_pair(e, 0, 2, t.ab);
+  tangent.add_pair(e, 0, 3, t.ac);
+  tangent.add_pair(e, 0, 4, -t.ac);
+  tangent.add_pair(e, 1, 2, -a_minus_b_by_b);
+  tangent.add_pair(e, 1, 3, -a_minus_b_by_c);
+  tangent.add_pair(e, 1, 4, a_minus_b_by_c);
+  tangent.add_pair(e, 2, 3, -t.bc);
+  tangent.add_pair(e, 2, 4, t.bc);
+  tangent.add_pair(e, 3, 4, t.cc);
+}
+
+/// The same for any spring: weights[p] are those of a, b, c in point p.
+void add_general(const EdgeTangent& t, const std::array<int, 5>& points, const std::array<Vector3, 5>& weights, std::size_t e, Assembler& tangent) {
+  const bool exact = tangent.keeps_unsymmetric();
+  const auto block = [&](std::size_t p, std::size_t q) -> Matrix3 {
+    const Vector3 &l = weights[p], &r = weights[q];
+    const Matrix3 symmetric = l[0] * r[0] * t.aa + l[1] * r[1] * t.bb + l[2] * r[2] * t.cc + l[0] * r[1] * t.ab + l[0] * r[2] * t.ac + l[1] * r[2] * t.bc;
+    return -(symmetric + l[1] * r[0] * t.ba + l[2] * r[0] * t.ca + l[2] * r[1] * t.cb);
+  };
+  for (std::size_t q = 0; q < 5; ++q) {
+    if (points[q] < 0) continue;
+    tangent.add_diagonal(e, static_cast<int>(q), block(q, q));
+    for (std::size_t p = 0; p < q; ++p) {
+      if (points[p] < 0) continue;
+      if (exact)
+        tangent.add_general_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q), block(q, p));
+      else
+        tangent.add_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q));
+    }
+  }
 }
 
 }  // namespace
@@ -44,7 +94,7 @@ struct BendSprings::Edges {
   Vector3 a, b, c;
 };
 
-BendSprings::BendSprings(std::vector<BendSpring> springs, double relaxation_time) : relaxation_time_(relaxation_time) {
+BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxation_time) : relaxation_time_(relaxation_time) {
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of bending must not be negative [s]");
   elements_.reserve(springs.size());
   for (const auto& s : springs) {
@@ -68,6 +118,7 @@ BendSprings::BendSprings(std::vector<BendSpring> springs, double relaxation_time
   };
   std::ranges::sort(elements_, {}, reach);
   std::vector<std::pair<int, int>> reaches;
+  reaches.reserve(elements_.size());
   for (const auto& e : elements_) reaches.push_back(reach(e));
   stripes_ = Stripes(reaches);
 }
@@ -132,7 +183,7 @@ void BendSprings::add_force(const State& state, VectorRef f) const {
 }
 
 void BendSprings::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
-  const bool exact = tangent.keeps_unsymmetric() && relaxation_time_ > 0;
+  const bool keeps_rate_change = tangent.keeps_unsymmetric() && relaxation_time_ > 0;
   stripes_.for_each([&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) {
       const auto& element = elements_[e];
@@ -141,43 +192,19 @@ void BendSprings::add_tangent(const State& state, double dq, double dv, Assemble
       const HingeCurvature curved(x.a, x.b, x.c);
       const double viscosity = relaxation_time_ * element.stiffness;
       double moment = element.stiffness * (hinge.angle - element.rest_angle);
-      std::array<Vector3, 3> rates;
+      Edges v{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
       if (viscosity > 0) {
-        const auto v = edges(element, state.v);
-        rates = {v.a, v.b, v.c};
+        v = edges(element, state.v);
         moment += viscosity * (hinge.ga.dot(v.a) + hinge.gb.dot(v.b) + hinge.gc.dot(v.c));
       }
-      const auto t = edge_tangent(hinge, curved, dq * element.stiffness + dv * viscosity, dq * moment, exact ? dq * viscosity : 0.0, rates);
-
-      // a, b, c in terms of the five points: a column of weights each
-      const double k = element.skew, m = element.centre_in_cross;
-      const std::array<std::array<double, 3>, 5> weight{{{-1, 0, k}, {1, -1, m}, {0, 1, -k}, {0, 0, 1}, {0, 0, -1}}};
-      std::array<std::array<Matrix3, 5>, 3> half;   // ∂²/∂(edge)∂(point)
-      for (std::size_t r = 0; r < 3; ++r) {
-        const auto& [ra, rb, rc] = t.block[r];
-        half[r][0] = k == 0 ? Matrix3(-ra) : Matrix3(k * rc - ra);
-        half[r][1] = m == 0 ? Matrix3(ra - rb) : Matrix3(ra - rb + m * rc);
-        half[r][2] = k == 0 ? rb : Matrix3(rb - k * rc);
-        half[r][3] = rc;
-        half[r][4] = -rc;
+      auto t = edge_tangent(hinge, curved, dq * element.stiffness + dv * viscosity, dq * moment);
+      if (!tangent.keeps_unsymmetric() && element.skew == 0 && element.centre_in_cross == 0) {
+        add_plain(t, e, tangent);
+        continue;
       }
-      const auto block = [&](std::size_t p, std::size_t q) -> Matrix3 {
-        Matrix3 sum = Matrix3::Zero();
-        for (std::size_t r = 0; r < 3; ++r)
-          if (weight[p][r] != 0) sum.noalias() -= weight[p][r] * half[r][q];
-        return sum;
-      };
-      for (std::size_t q = 0; q < 5; ++q) {
-        if (element.points[q] < 0) continue;
-        tangent.add_diagonal(e, static_cast<int>(q), block(q, q));
-        for (std::size_t p = 0; p < q; ++p) {
-          if (element.points[p] < 0) continue;
-          if (exact)
-            tangent.add_general_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q), block(q, p));
-          else
-            tangent.add_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q));
-        }
-      }
+      add_rate_change(t, hinge, curved, keeps_rate_change ? dq * viscosity : 0.0, v.a, v.b, v.c);
+      const double k = element.skew;
+      add_general(t, element.points, {Vector3(-1, 0, k), Vector3(1, -1, element.centre_in_cross), Vector3(0, 1, -k), Vector3(0, 0, 1), Vector3(0, 0, -1)}, e, tangent);
     }
   });
 }

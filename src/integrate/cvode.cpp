@@ -1,44 +1,30 @@
 #include <cvode/cvode.h>
 #include <fmt/format.h>
 
-#include "sundrape/integrate/first_order_form.hpp"
-#include "sundrape/integrate/integrator.hpp"
-#include "sundrape/integrate/sundials_support.hpp"
+#include "sundials_integrator.hpp"
 
 namespace sundrape {
 namespace {
 
 using sundials::require_success;
 
-class Cvode final : public Integrator {
+class Cvode final : public ImplicitIntegrator {
  public:
   Cvode(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
-      : form_(system),
-        newton_(system, std::move(solver), options.linear_tolerance),
-        weights_{options.rtol, options.atol_position, options.atol_velocity, Vector::Zero(system.unknowns().size())},
-        options_(options),
-        events_(events),
-        y_(form_.size(), context_),
-        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve(x, b); }); }, context_) {}
+      : ImplicitIntegrator(system, std::move(solver), options, events),
+        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); }, context_) {}
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
-    const auto n = q.size();
-    auto y = y_.values();
-    y.head(n) = q;
-    y.tail(n) = v;
-    time_ = time;
-    matrix_time_ = matrix_gamma_ = -1;
+    load(time, q, v);
+    forget_matrix();
     if (memory_) {
       bank();
       require_success(CVodeReInit(memory_.get(), time, y_.get()), "CVodeReInit");
-      ++banked_.restarts;
     } else {
       weights_.start = q;
       create(time);
     }
-    // Restarts begin with the last step's size, which the problem was smooth enough for; CVODE checks it anyway.
-    const double first = last_step_ > 0 ? 0.1 * last_step_ : options_.first_step.value_or(0.0);
-    require_success(CVodeSetInitStep(memory_.get(), first), "CVodeSetInitStep");
+    require_success(CVodeSetInitStep(memory_.get(), first_step()), "CVodeSetInitStep");
   }
 
   StepReport step(double end) override {
@@ -51,36 +37,6 @@ class Cvode final : public Integrator {
     CVodeGetLastOrder(memory_.get(), &report.order);
     last_step_ = report.step_size;
     return report;
-  }
-
-  void state(VectorRef q, VectorRef v) const override {
-    q = y_.values().head(q.size());
-    v = y_.values().tail(v.size());
-  }
-
-  void interpolate(double time, VectorRef q, VectorRef v) const override {
-    const sundials::StateVector at(form_.size(), context_);
-    require_success(CVodeGetDky(memory_.get(), time, 0, at.get()), "CVodeGetDky");
-    q = at.values().head(q.size());
-    v = at.values().tail(v.size());
-  }
-
-  [[nodiscard]] std::vector<int> fired() const override {
-    std::vector<int> roots(static_cast<std::size_t>(events_ ? events_->count() : 0));
-    if (!roots.empty()) CVodeGetRootInfo(memory_.get(), roots.data());
-    return roots;
-  }
-
-  [[nodiscard]] IntegratorStatistics statistics() const override {
-    auto s = current();
-    s.steps += banked_.steps;
-    s.newton_iterations += banked_.newton_iterations;
-    s.error_test_failures += banked_.error_test_failures;
-    s.step_solve_failures += banked_.step_solve_failures;
-    s.restarts = banked_.restarts;
-    s.force_evaluations = form_.evaluations();
-    s.linear = newton_.counters();
-    return s;
   }
 
  private:
@@ -102,71 +58,46 @@ class Cvode final : public Integrator {
     };
     require_success(CVodeInit(m, right_side, time, y_.get()), "CVodeInit");
     require_success(CVodeSetUserData(m, this), "CVodeSetUserData");
-    const auto weigh = [](N_Vector y, N_Vector w, void* data) {
-      auto& me = self(data);
-      return me.carrier_.run([&] {
-        me.weights_.evaluate(sundials::values(y), sundials::values(w));
-        return 0;
-      });
-    };
+    const auto weigh = [](N_Vector y, N_Vector w, void* data) { return self(data).evaluate_weights(y, w); };
     require_success(CVodeWFtolerances(m, weigh), "CVodeWFtolerances");
     require_success(CVodeSetLinearSolver(m, embedded_.get(), nullptr), "CVodeSetLinearSolver");
     require_success(CVodeSetMaxNumSteps(m, -1), "CVodeSetMaxNumSteps");
     require_success(CVodeSetMaxConvFails(m, 20), "CVodeSetMaxConvFails");
     require_success(CVodeSetMaxErrTestFails(m, 20), "CVodeSetMaxErrTestFails");
     if (options_.max_step) require_success(CVodeSetMaxStep(m, *options_.max_step), "CVodeSetMaxStep");
-    if (events_ && events_->count() > 0) {
-      const auto roots = [](realtype t, N_Vector y, realtype* values, void* data) {
-        auto& me = self(data);
-        return me.carrier_.run([&] {
-          me.form_.events(t, sundials::values(y), *me.events_, {values, static_cast<std::size_t>(me.events_->count())});
-          return 0;
-        });
-      };
-      require_success(CVodeRootInit(m, events_->count(), roots), "CVodeRootInit");
-      std::vector<int> falling(static_cast<std::size_t>(events_->count()), -1);
-      require_success(CVodeSetRootDirection(m, falling.data()), "CVodeSetRootDirection");
+    if (event_count() > 0) {
+      const auto roots = [](realtype t, N_Vector y, realtype* values, void* data) { return self(data).evaluate_events(t, y, values); };
+      require_success(CVodeRootInit(m, event_count(), roots), "CVodeRootInit");
+      require_success(CVodeSetRootDirection(m, falling().data()), "CVodeSetRootDirection");
       CVodeSetNoInactiveRootWarn(m);
     }
   }
 
   /// (I − γ J) x = b: multiplied by 1/γ, and the second half by M, it is the condensed system with r_q = b_q/γ, r_v = M b_v/γ.
-  int solve(N_Vector x, N_Vector b) {
+  int solve_newton(N_Vector x, N_Vector b) {
     realtype t = 0, gamma = 0, rl1 = 0;
     N_Vector predicted = nullptr, y = nullptr, f = nullptr, zn1 = nullptr;
     void* data = nullptr;
     require_success(CVodeGetNonlinearSystemData(memory_.get(), &t, &predicted, &y, &f, &gamma, &rl1, &zn1, &data), "CVodeGetNonlinearSystemData");
+    if (const int flag = refresh(t, 1 / gamma, y); flag != 0) return flag;
     const auto n = form_.size() / 2;
-    if (t != matrix_time_ || gamma != matrix_gamma_) {   // a new step or a new try of one: refresh
-      matrix_time_ = matrix_gamma_ = -1;
-      const auto at = sundials::values(y);
-      if (newton_.prepare(t, 1 / gamma, at.head(n), at.tail(n)) != FactorStatus::ok) return SUNLS_PACKAGE_FAIL_REC;
-      matrix_time_ = t;
-      matrix_gamma_ = gamma;
-    }
     r_q_ = sundials::values(b).head(n) / gamma;
     r_v_ = sundials::values(b).tail(n) / gamma;
     for (int r = 0; r < form_.system().unknowns().rows(); ++r) point(r_v_, r) *= form_.system().row_mass()[r];
-    auto result = sundials::values(x);
-    return newton_.solve(r_q_, r_v_, result.head(n), result.tail(n)).ok ? 0 : SUNLS_PACKAGE_FAIL_REC;
+    return solve(r_q_, r_v_, x);
   }
 
-  [[nodiscard]] IntegratorStatistics current() const {
+  void interpolant(double time, N_Vector y) const override { require_success(CVodeGetDky(memory_.get(), time, 0, y), "CVodeGetDky"); }
+  void root_info(int* fired) const override { CVodeGetRootInfo(memory_.get(), fired); }
+
+  [[nodiscard]] IntegratorStatistics current() const override {
     IntegratorStatistics s;
     auto* m = memory_.get();
     CVodeGetNumSteps(m, &s.steps);
     CVodeGetNumNonlinSolvIters(m, &s.newton_iterations);
     CVodeGetNumErrTestFails(m, &s.error_test_failures);
     CVodeGetNumStepSolveFails(m, &s.step_solve_failures);
-    return s;
-  }
-
-  void bank() {   // CVodeReInit sets the counters back
-    const auto s = current();
-    banked_.steps += s.steps;
-    banked_.newton_iterations += s.newton_iterations;
-    banked_.error_test_failures += s.error_test_failures;
-    banked_.step_solve_failures += s.step_solve_failures;
+    return with_linear(s);
   }
 
   [[nodiscard]] std::string diagnosis(int flag) const {
@@ -184,20 +115,9 @@ class Cvode final : public Integrator {
     return fmt::format("{} at t = {:.6g} s, step {:.3g} s; {} ({})", what, time_, h, advice, messages_.last);
   }
 
-  sundials::Context context_;
-  sundials::ExceptionCarrier carrier_;
-  sundials::MessageKeeper messages_;
-  FirstOrderForm form_;
-  CondensedNewton newton_;
-  ErrorWeights weights_;
-  IntegratorOptions options_;
-  EventSource* events_;
-  sundials::StateVector y_;
   sundials::EmbeddedSolver embedded_;
   std::unique_ptr<void, Free> memory_;
   Vector r_q_, r_v_;
-  double time_ = 0, matrix_time_ = -1, matrix_gamma_ = -1, last_step_ = 0;
-  IntegratorStatistics banked_;
 };
 
 }  // namespace

@@ -41,10 +41,10 @@ DynamicsEnd Dynamics::run(double time, ConstVectorRef q, ConstVectorRef v, bool 
   system_.unknowns().gather(q, rows_q_);
   system_.unknowns().gather(v, rows_v_);
   system_.unknowns().clear_held(rows_v_);
-  integrator_.start(time, rows_q_, rows_v_);
-  expand_last();
+  system_.expand(rows_q_, rows_v_, q_, v_);
   audit_ = std::make_unique<EnergyAudit>(system_, last());
   if (carried_) audit_->resume(carried_->first, carried_->second);
+  integrator_.start(time, rows_q_, rows_v_);
 
   std::size_t next = 0;
   while (next < frame_times_.size() && (frame_times_[next] < time || (!first_frame && frame_times_[next] <= time))) ++next;

@@ -1,44 +1,32 @@
 #include <fmt/format.h>
 #include <ida/ida.h>
 
-#include "sundrape/integrate/first_order_form.hpp"
-#include "sundrape/integrate/integrator.hpp"
-#include "sundrape/integrate/sundials_support.hpp"
+#include "sundials_integrator.hpp"
 
 namespace sundrape {
 namespace {
 
 using sundials::require_success;
 
-class Ida final : public Integrator {
+class Ida final : public ImplicitIntegrator {
  public:
   Ida(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
-      : form_(system),
-        newton_(system, std::move(solver), options.linear_tolerance),
-        weights_{options.rtol, options.atol_position, options.atol_velocity, Vector::Zero(system.unknowns().size())},
-        options_(options),
-        events_(events),
-        y_(form_.size(), context_),
+      : ImplicitIntegrator(system, std::move(solver), options, events),
         y_dot_(form_.size(), context_),
-        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve(x, b); }); }, context_) {}
+        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); }, context_) {}
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
-    auto y = y_.values();
-    y.head(q.size()) = q;
-    y.tail(v.size()) = v;
-    time_ = time;
-    matrix_time_ = matrix_c_ = -1;
-    if (!form_.rates(time, y, y_dot_.values())) throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
+    load(time, q, v);
+    forget_matrix();
+    if (!form_.rates(time, y_.values(), y_dot_.values())) throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
     if (memory_) {
       bank();
       require_success(IDAReInit(memory_.get(), time, y_.get(), y_dot_.get()), "IDAReInit");
-      ++banked_.restarts;
     } else {
       weights_.start = q;
       create(time);
     }
-    const double first = last_step_ > 0 ? 0.1 * last_step_ : options_.first_step.value_or(0.0);
-    require_success(IDASetInitStep(memory_.get(), first), "IDASetInitStep");
+    require_success(IDASetInitStep(memory_.get(), first_step()), "IDASetInitStep");
   }
 
   StepReport step(double end) override {
@@ -51,36 +39,6 @@ class Ida final : public Integrator {
     IDAGetLastOrder(memory_.get(), &report.order);
     last_step_ = report.step_size;
     return report;
-  }
-
-  void state(VectorRef q, VectorRef v) const override {
-    q = y_.values().head(q.size());
-    v = y_.values().tail(v.size());
-  }
-
-  void interpolate(double time, VectorRef q, VectorRef v) const override {
-    const sundials::StateVector at(form_.size(), context_);
-    require_success(IDAGetDky(memory_.get(), time, 0, at.get()), "IDAGetDky");
-    q = at.values().head(q.size());
-    v = at.values().tail(v.size());
-  }
-
-  [[nodiscard]] std::vector<int> fired() const override {
-    std::vector<int> roots(static_cast<std::size_t>(events_ ? events_->count() : 0));
-    if (!roots.empty()) IDAGetRootInfo(memory_.get(), roots.data());
-    return roots;
-  }
-
-  [[nodiscard]] IntegratorStatistics statistics() const override {
-    auto s = current();
-    s.steps += banked_.steps;
-    s.newton_iterations += banked_.newton_iterations;
-    s.error_test_failures += banked_.error_test_failures;
-    s.step_solve_failures += banked_.step_solve_failures;
-    s.restarts = banked_.restarts;
-    s.force_evaluations = form_.evaluations();
-    s.linear = newton_.counters();
-    return s;
   }
 
  private:
@@ -102,30 +60,17 @@ class Ida final : public Integrator {
     };
     require_success(IDAInit(m, residual, time, y_.get(), y_dot_.get()), "IDAInit");
     require_success(IDASetUserData(m, this), "IDASetUserData");
-    const auto weigh = [](N_Vector y, N_Vector w, void* data) {
-      auto& me = self(data);
-      return me.carrier_.run([&] {
-        me.weights_.evaluate(sundials::values(y), sundials::values(w));
-        return 0;
-      });
-    };
+    const auto weigh = [](N_Vector y, N_Vector w, void* data) { return self(data).evaluate_weights(y, w); };
     require_success(IDAWFtolerances(m, weigh), "IDAWFtolerances");
     require_success(IDASetLinearSolver(m, embedded_.get(), nullptr), "IDASetLinearSolver");
     require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
     require_success(IDASetMaxConvFails(m, 20), "IDASetMaxConvFails");
     require_success(IDASetMaxErrTestFails(m, 20), "IDASetMaxErrTestFails");
     if (options_.max_step) require_success(IDASetMaxStep(m, *options_.max_step), "IDASetMaxStep");
-    if (events_ && events_->count() > 0) {
-      const auto roots = [](realtype t, N_Vector y, N_Vector, realtype* values, void* data) {
-        auto& me = self(data);
-        return me.carrier_.run([&] {
-          me.form_.events(t, sundials::values(y), *me.events_, {values, static_cast<std::size_t>(me.events_->count())});
-          return 0;
-        });
-      };
-      require_success(IDARootInit(m, events_->count(), roots), "IDARootInit");
-      std::vector<int> falling(static_cast<std::size_t>(events_->count()), -1);
-      require_success(IDASetRootDirection(m, falling.data()), "IDASetRootDirection");
+    if (event_count() > 0) {
+      const auto roots = [](realtype t, N_Vector y, N_Vector, realtype* values, void* data) { return self(data).evaluate_events(t, y, values); };
+      require_success(IDARootInit(m, event_count(), roots), "IDARootInit");
+      require_success(IDASetRootDirection(m, falling().data()), "IDASetRootDirection");
       IDASetNoInactiveRootWarn(m);
     }
   }
@@ -141,40 +86,28 @@ class Ida final : public Integrator {
     return 0;
   }
 
-  int solve(N_Vector x, N_Vector b) {
+  int solve_newton(N_Vector x, N_Vector b) {
     realtype t = 0, c = 0;
     N_Vector predicted = nullptr, predicted_dot = nullptr, y = nullptr, y_dot = nullptr, r = nullptr;
     void* data = nullptr;
     require_success(IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data), "IDAGetNonlinearSystemData");
+    if (const int flag = refresh(t, c, y); flag != 0) return flag;
     const auto n = form_.size() / 2;
-    if (t != matrix_time_ || c != matrix_c_) {   // a new step or a new try of one: refresh
-      matrix_time_ = matrix_c_ = -1;
-      const auto at = sundials::values(y);
-      if (newton_.prepare(t, c, at.head(n), at.tail(n)) != FactorStatus::ok) return SUNLS_PACKAGE_FAIL_REC;
-      matrix_time_ = t;
-      matrix_c_ = c;
-    }
     const auto right = sundials::values(b);
-    auto result = sundials::values(x);
-    return newton_.solve(right.head(n), right.tail(n), result.head(n), result.tail(n)).ok ? 0 : SUNLS_PACKAGE_FAIL_REC;
+    return solve(right.head(n), right.tail(n), x);
   }
 
-  [[nodiscard]] IntegratorStatistics current() const {
+  void interpolant(double time, N_Vector y) const override { require_success(IDAGetDky(memory_.get(), time, 0, y), "IDAGetDky"); }
+  void root_info(int* fired) const override { IDAGetRootInfo(memory_.get(), fired); }
+
+  [[nodiscard]] IntegratorStatistics current() const override {
     IntegratorStatistics s;
     auto* m = memory_.get();
     IDAGetNumSteps(m, &s.steps);
     IDAGetNumNonlinSolvIters(m, &s.newton_iterations);
     IDAGetNumErrTestFails(m, &s.error_test_failures);
     IDAGetNumStepSolveFails(m, &s.step_solve_failures);
-    return s;
-  }
-
-  void bank() {   // IDAReInit sets the counters back
-    const auto s = current();
-    banked_.steps += s.steps;
-    banked_.newton_iterations += s.newton_iterations;
-    banked_.error_test_failures += s.error_test_failures;
-    banked_.step_solve_failures += s.step_solve_failures;
+    return with_linear(s);
   }
 
   [[nodiscard]] std::string diagnosis(int flag) const {
@@ -192,19 +125,9 @@ class Ida final : public Integrator {
     return fmt::format("{} at t = {:.6g} s, step {:.3g} s; {} ({})", what, time_, h, advice, messages_.last);
   }
 
-  sundials::Context context_;
-  sundials::ExceptionCarrier carrier_;
-  sundials::MessageKeeper messages_;
-  FirstOrderForm form_;
-  CondensedNewton newton_;
-  ErrorWeights weights_;
-  IntegratorOptions options_;
-  EventSource* events_;
-  sundials::StateVector y_, y_dot_;
+  sundials::StateVector y_dot_;
   sundials::EmbeddedSolver embedded_;
   std::unique_ptr<void, Free> memory_;
-  double time_ = 0, matrix_time_ = -1, matrix_c_ = -1, last_step_ = 0;
-  IntegratorStatistics banked_;
 };
 
 }  // namespace

@@ -3,37 +3,29 @@
 
 #include <array>
 
-#include "sundrape/integrate/first_order_form.hpp"
-#include "sundrape/integrate/integrator.hpp"
-#include "sundrape/integrate/sundials_support.hpp"
+#include "sundials_integrator.hpp"
 
 namespace sundrape {
 namespace {
 
 using sundials::require_success;
 
-class RungeKutta4 final : public Integrator {
+class RungeKutta4 final : public SundialsIntegrator {
  public:
   RungeKutta4(const System& system, const IntegratorOptions& options, EventSource* events)
-      : form_(system), options_(options), events_(events), y_(form_.size(), context_) {
+      : SundialsIntegrator(system, options, events) {
     if (!(options.fixed_step > 0)) throw std::invalid_argument("the Runge–Kutta method needs a positive step [s]");
   }
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
-    auto y = y_.values();
-    y.head(q.size()) = q;
-    y.tail(v.size()) = v;
-    time_ = time;
+    load(time, q, v);
     const auto right_side = [](realtype t, N_Vector y_now, N_Vector y_dot, void* data) {
       auto& me = self(data);
       return me.carrier_.run([&] { return me.form_.rates(t, sundials::values(y_now), sundials::values(y_dot)) ? 0 : -1; });
     };
     if (memory_) {
-      long steps = 0;
-      ERKStepGetNumSteps(memory_.get(), &steps);
-      banked_.steps += steps;
+      bank();
       require_success(ERKStepReInit(memory_.get(), right_side, time, y_.get()), "ERKStepReInit");
-      ++banked_.restarts;
       return;
     }
     memory_.reset(ERKStepCreate(right_side, time, y_.get(), context_));
@@ -44,17 +36,10 @@ class RungeKutta4 final : public Integrator {
     set_classical_table();
     require_success(ERKStepSetFixedStep(m, options_.fixed_step), "ERKStepSetFixedStep");
     require_success(ERKStepSetMaxNumSteps(m, -1), "ERKStepSetMaxNumSteps");
-    if (events_ && events_->count() > 0) {
-      const auto roots = [](realtype t, N_Vector y_now, realtype* values, void* data) {
-        auto& me = self(data);
-        return me.carrier_.run([&] {
-          me.form_.events(t, sundials::values(y_now), *me.events_, {values, static_cast<std::size_t>(me.events_->count())});
-          return 0;
-        });
-      };
-      require_success(ERKStepRootInit(m, events_->count(), roots), "ERKStepRootInit");
-      std::vector<int> falling(static_cast<std::size_t>(events_->count()), -1);
-      require_success(ERKStepSetRootDirection(m, falling.data()), "ERKStepSetRootDirection");
+    if (event_count() > 0) {
+      const auto roots = [](realtype t, N_Vector y_now, realtype* values, void* data) { return self(data).evaluate_events(t, y_now, values); };
+      require_success(ERKStepRootInit(m, event_count(), roots), "ERKStepRootInit");
+      require_success(ERKStepSetRootDirection(m, falling().data()), "ERKStepSetRootDirection");
       ERKStepSetNoInactiveRootWarn(m);
     }
   }
@@ -73,33 +58,6 @@ class RungeKutta4 final : public Integrator {
     return report;
   }
 
-  void state(VectorRef q, VectorRef v) const override {
-    q = y_.values().head(q.size());
-    v = y_.values().tail(v.size());
-  }
-
-  void interpolate(double time, VectorRef q, VectorRef v) const override {
-    const sundials::StateVector at(form_.size(), context_);
-    require_success(ERKStepGetDky(memory_.get(), time, 0, at.get()), "ERKStepGetDky");
-    q = at.values().head(q.size());
-    v = at.values().tail(v.size());
-  }
-
-  [[nodiscard]] std::vector<int> fired() const override {
-    std::vector<int> roots(static_cast<std::size_t>(events_ ? events_->count() : 0));
-    if (!roots.empty()) ERKStepGetRootInfo(memory_.get(), roots.data());
-    return roots;
-  }
-
-  [[nodiscard]] IntegratorStatistics statistics() const override {
-    auto s = banked_;
-    long steps = 0;
-    ERKStepGetNumSteps(memory_.get(), &steps);
-    s.steps += steps;
-    s.force_evaluations = form_.evaluations();
-    return s;
-  }
-
  private:
   static constexpr double absurd_speed = 1e4;   // [m/s]; no cloth survives it
   struct Free {
@@ -107,6 +65,14 @@ class RungeKutta4 final : public Integrator {
   };
 
   static RungeKutta4& self(void* data) { return *static_cast<RungeKutta4*>(data); }
+
+  void interpolant(double time, N_Vector y) const override { require_success(ERKStepGetDky(memory_.get(), time, 0, y), "ERKStepGetDky"); }
+  void root_info(int* fired) const override { ERKStepGetRootInfo(memory_.get(), fired); }
+  [[nodiscard]] IntegratorStatistics current() const override {
+    IntegratorStatistics s;
+    ERKStepGetNumSteps(memory_.get(), &s.steps);
+    return s;
+  }
 
   void set_classical_table() {
     std::array<double, 4> c{0, 0.5, 0.5, 1}, b{1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
@@ -119,16 +85,7 @@ class RungeKutta4 final : public Integrator {
     require_success(flag, "ERKStepSetTable");
   }
 
-  sundials::Context context_;
-  sundials::ExceptionCarrier carrier_;
-  sundials::MessageKeeper messages_;
-  FirstOrderForm form_;
-  IntegratorOptions options_;
-  EventSource* events_;
-  sundials::StateVector y_;
   std::unique_ptr<void, Free> memory_;
-  double time_ = 0;
-  IntegratorStatistics banked_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sundrape/integrate/sundials_support.hpp"
+#include "sundials_support.hpp"
 
 #include <fmt/format.h>
 

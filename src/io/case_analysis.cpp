@@ -36,6 +36,8 @@ DynamicsCase resolve_dynamics(const CaseSection& section) {
   dynamics.atol_velocity = section.maybe_number("atol_velocity");
   dynamics.max_order = section.integer("max_order");
   dynamics.step = section.maybe_number("step");
+  if (dynamics.step && dynamics.integrator != IntegratorKind::rk4)
+    section.fail("step", fmt::format("integrator = \"{}\" chooses its steps itself; max_step bounds them", integrator));
   dynamics.max_step = section.maybe_number("max_step");
   dynamics.first_step = section.maybe_number("first_step");
   dynamics.linear_solver = section.text("linear_solver");
@@ -61,6 +63,7 @@ OutputCase resolve_output(const CaseSection& section, double duration) {
   if (section.has("frames") && section.has("every"))
     section.fail("every", "frames says it already: give either, not both");
   OutputCase output;
+  output.checkpoint_every = section.number("checkpoint_every");
   if (duration > 0) output.frame_times = resolve_frame_times(section, duration);
   for (const auto& entry : section.tables("probes")) {
     ProbeCase probe{entry.text("name"), entry.vector3("near"), entry.source("near")};

@@ -186,7 +186,7 @@ void describe_dynamics(CaseDescription& out, const DynamicsCase& dynamics) {
   out.maybe_number("atol_position", dynamics.atol_position);
   out.maybe_number("atol_velocity", dynamics.atol_velocity);
   out.verbatim("max_order", fmt::format("{}", dynamics.max_order));
-  out.maybe_number("step", dynamics.step);
+  if (dynamics.integrator == IntegratorKind::rk4) out.maybe_number("step", dynamics.step);
   out.maybe_number("max_step", dynamics.max_step);
   out.maybe_number("first_step", dynamics.first_step);
   out.text("linear_solver", dynamics.linear_solver);
@@ -214,6 +214,7 @@ void describe_output(CaseDescription& out, const OutputCase& output) {
   if (!output.frame_times.empty())
     out.verbatim("frames",
                  fmt::format("{} ({} with the one at 0 s)", output.frame_times.size() - 1, output.frame_times.size()));
+  out.number("checkpoint_every", output.checkpoint_every);
   for (std::size_t i = 0; i < output.probes.size(); ++i) {
     out.enter("output.probes", fmt::format("output.probes.{}", i));
     out.text("name", output.probes[i].name);

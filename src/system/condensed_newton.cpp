@@ -22,6 +22,7 @@ FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, C
     c_ = c;
     time_ = time;
     system_.expand(q, v, q_, v_);
+    force_known_ = false;
     matrix_.set_zero();
     matrix_.add_diagonal(system_.row_mass(), c * c);
     system_.add_tangent({time, q_, v_}, -1, -c, matrix_);
@@ -52,14 +53,16 @@ SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, Vecto
 }
 
 void CondensedNewton::add_damping_product(ConstVectorRef r_q, VectorRef right_side) {
-  system_.force({time_, q_, v_}, force_);
+  if (!force_known_) system_.force({time_, q_, v_}, force_);
+  force_known_ = true;
   shifted_v_.setZero();
   system_.unknowns().scatter(r_q, shifted_v_);
   shifted_v_ += v_;
   system_.force({time_, q_, shifted_v_}, shifted_force_);
-  force_ -= shifted_force_;
-  for (int r = 0; r < system_.unknowns().rows(); ++r)
-    point(right_side, r) += point(force_, system_.unknowns().point_of_row()[static_cast<std::size_t>(r)]);
+  for (int r = 0; r < system_.unknowns().rows(); ++r) {
+    const int p = system_.unknowns().point_of_row()[static_cast<std::size_t>(r)];
+    point(right_side, r) += point(force_, p) - point(shifted_force_, p);
+  }
 }
 
 }  // namespace sundrape

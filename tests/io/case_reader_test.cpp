@@ -127,7 +127,7 @@ TEST(CaseReader, ScalesContactByItsThickness) {
 
 TEST(CaseReader, ResolvesAnalyses) {
   const Case c = full();
-  EXPECT_EQ(c.dynamics.integrator, IntegratorKind::ida);
+  EXPECT_EQ(c.dynamics.integrator, IntegratorKind::rk4);
   expect_close(c.dynamics.duration, 1);
   EXPECT_EQ(c.dynamics.rtol, 1e-5);
   expect_close(c.dynamics.atol_position.value(), 1e-6);

@@ -153,7 +153,7 @@ stiffness = "500 gf/cm^3"
 restitution = 0.5
 
 [dynamics]
-integrator = "ida"
+integrator = "rk4"
 duration = "1 s"
 rtol = 1e-5
 atol_position = "1 um"

@@ -1,13 +1,14 @@
 #include "support/benchmarks.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "sundrape/integrate/dynamics.hpp"
-#include "sundrape/integrate/stability_limit.hpp"
 #include "sundrape/io/case_reader.hpp"
 
 namespace sundrape {
@@ -17,14 +18,11 @@ class Frames final : public DynamicsObserver {
  public:
   explicit Frames(Motion& motion) : motion_(motion) {}
   void frame(const State& all, const EnergyAudit::Balance& balance) override {
-    const double energy = balance.energies.total();
-    if (motion_.time.empty()) motion_.energy_start = energy;
-    motion_.energy_end = energy;
-    motion_.method_dissipated = balance.method_dissipated;
-    motion_.dissipated = balance.dissipated;
-    motion_.largest_energy = std::max(motion_.largest_energy, energy - motion_.energy_start);
     motion_.time.push_back(all.time);
     motion_.position.emplace_back(all.q);
+    motion_.velocity.emplace_back(all.v);
+    motion_.energy.push_back(balance.energies.total());
+    motion_.kinetic.push_back(balance.energies.kinetic);
   }
   void step(const State&, const StepReport&, const Integrator&) override {}
   [[nodiscard]] bool wants_to_stop() override { return false; }
@@ -47,34 +45,88 @@ Benchmark benchmark(const std::string& case_name, const std::vector<std::string>
   return {std::move(c), std::move(model)};
 }
 
-Vector equilibrium(const Benchmark& b, double tolerance) {
-  Vector q = b.model.initial;
+std::string cells_along(int n) { return fmt::format("cloth.cells=[{},1]", n); }
+
+Equilibrium equilibrium(const Benchmark& b, double tolerance) {
+  Equilibrium e{b.model.initial, {}};
   Silent silent;
   const auto solver = make_linear_solver(SolverKind::cholesky);
-  const double swing = std::sqrt(b.model.size / b.model.gravity);
-  const auto result = relax(*b.model.system, *solver, {.tolerance = tolerance, .first_step = b.c.relaxation.first_step.value_or(0.01 * swing), .growth = b.c.relaxation.growth}, q, silent);
-  EXPECT_EQ(result.end, RelaxationEnd::converged) << result.diagnosis;
-  return q;
+  RelaxationOptions options;
+  options.tolerance = tolerance;
+  options.first_step = b.c.relaxation.first_step.value_or(0.01 * std::sqrt(b.model.size / b.model.gravity));
+  options.growth = b.c.relaxation.growth;
+  e.result = relax(*b.model.system, *solver, options, e.q, silent);
+  EXPECT_EQ(e.result.end, RelaxationEnd::converged) << e.result.diagnosis;
+  return e;
 }
 
-Motion motion(const Benchmark& b) {
+std::unique_ptr<Integrator> integrator_of(const Benchmark& b) {
   const auto& d = b.c.dynamics;
+  const auto& system = *b.model.system;
   IntegratorOptions options;
   options.rtol = d.rtol;
   options.atol_position = d.atol_position.value_or(0.1 * d.rtol * b.model.size);
-  options.atol_velocity = d.atol_velocity.value_or(std::min(0.01, 100 * d.rtol) * std::sqrt(b.model.gravity * b.model.size));
+  options.atol_velocity =
+      d.atol_velocity.value_or(std::min(0.01, 100 * d.rtol) * std::sqrt(b.model.gravity * b.model.size));
   options.max_order = d.max_order;
   options.fixed_step = d.step.value_or(0);
-  std::unique_ptr<Integrator> integrator;
-  if (d.integrator == IntegratorKind::cvode) integrator = make_cvode(*b.model.system, make_linear_solver(SolverKind::conjugate_gradients), options);
-  if (d.integrator == IntegratorKind::ida) integrator = make_ida(*b.model.system, make_linear_solver(SolverKind::conjugate_gradients), options);
-  if (d.integrator == IntegratorKind::rk4) integrator = make_rk4(*b.model.system, options);
+  if (d.integrator == IntegratorKind::rk4) return make_rk4(system, options);
+  auto solver = make_linear_solver(SolverKind::conjugate_gradients);
+  if (d.integrator == IntegratorKind::ida) return make_ida(system, std::move(solver), options);
+  return make_cvode(system, std::move(solver), options);
+}
+
+Motion motion(const Benchmark& b) {
+  const auto integrator = integrator_of(b);
+  return motion(*b.model.system, *integrator, b.c.output.frame_times, b.model.initial,
+                Vector::Zero(b.model.initial.size()));
+}
+
+Motion motion(const System& system, Integrator& integrator, const std::vector<double>& frame_times, ConstVectorRef q,
+              ConstVectorRef v) {
   Motion motion;
   Frames frames(motion);
-  Dynamics dynamics(*b.model.system, *integrator, b.c.output.frame_times, frames);
-  dynamics.run(0, b.model.initial, Vector::Zero(b.model.initial.size()), true);
-  motion.statistics = integrator->statistics();
+  Dynamics dynamics(system, integrator, frame_times, frames);
+  (void)dynamics.run(0, q, v, true);
+  motion.statistics = integrator.statistics();
   return motion;
+}
+
+std::vector<Vector3> centre_line(const QuadMesh& strip, const Vector& all) {
+  const double resolution = 1e-9 * diagonal(strip);
+  std::map<long, std::pair<Vector3, int>> columns;
+  for (int i = 0; i < strip.nodes(); ++i) {
+    auto& [sum, count] =
+        columns.try_emplace(std::lround(strip.material[static_cast<std::size_t>(i)].x() / resolution), Vector3::Zero(), 0)
+            .first->second;
+    sum += point(all, i);
+    ++count;
+  }
+  std::vector<Vector3> line;
+  for (const auto& [x, column] : columns) line.push_back(column.first / column.second);
+  return line;
+}
+
+std::vector<double> edge_angles(const std::vector<Vector3>& line) {
+  std::vector<double> angles;
+  double before = 0;
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Vector3 edge = line[k] - line[k - 1];
+    before += std::remainder(std::atan2(edge.z(), edge.x()) - before, 2 * std::numbers::pi);
+    angles.push_back(before);
+  }
+  return angles;
+}
+
+double tip_rotation(const std::vector<Vector3>& line, double tip_curvature) {
+  const auto angles = edge_angles(line);
+  const double last = angles.back(), turn = last - angles[angles.size() - 2];
+  const double length = (line.back() - line[line.size() - 2]).norm();
+  return last + (turn + 3 * length * tip_curvature) / 8;
+}
+
+double observed_order(double coarse_error, double fine_error, double refinement) {
+  return std::log(coarse_error / fine_error) / std::log(refinement);
 }
 
 std::map<std::string, std::vector<double>> reference_table(const std::string& name) {

@@ -5,13 +5,14 @@
 #include <string>
 
 #include "sundrape/app/model.hpp"
+#include "sundrape/app/run_clock.hpp"
 #include "sundrape/integrate/energy_audit.hpp"
 #include "sundrape/io/result_writer.hpp"
 #include "sundrape/io/xdmf.hpp"
 
 namespace sundrape {
 
-/// What a run has seen at its worst, for the summary and for warnings.
+/// What a run has seen at its worst since its start, for the summary and for warnings.
 struct Extremes {
   double largest_edge_strain = 0, smallest_edge_strain = 0;   // over all frames
   double deepest_penetration = 0;                             // over all accepted steps [m]
@@ -26,29 +27,38 @@ class Recorder {
     std::optional<std::filesystem::path> resume;
   };
 
-  /// @throws FileError
-  Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns, std::uint64_t expected_frames);
+  /// A resumed run goes on with the earlier one's extremes, warnings, last frame and times.
+  /// @throws FileError  also if what is to be resumed has no checkpoint, or another mesh or analysis
+  Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns,
+           std::uint64_t expected_frames, RunClock clock = {});
 
   void frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots = std::nullopt);
   /// Probes and extremes of an accepted step; returns how the cloth stands to its obstacles.
   ContactReport step(const State& all);
   void step_values(std::initializer_list<ResultWriter::StepValue> values) { writer_.append_step(values); }
-  void checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size);
+  /// @param totals  what the analysis counts, in its own order and always as many
+  void checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size,
+                  const std::vector<double>& totals);
   /// What an interrupted run left, if this one resumes it.
   struct Restart {
     double time = 0;
     Vector q, v;   // 3N
     EnergyAudit::Balance balance;
     double initial_energy = 0, step_size = 0;
+    std::vector<double> totals;   // as given to checkpoint()
+    Extremes extremes;
+    double wall = 0, cpu = 0;     // [s]
   };
   [[nodiscard]] const std::optional<Restart>& restart() const { return restart_; }
 
+  /// Once a run, however often it is said.
   void warn(const std::string& text);
   void statistic(const std::string& name, StatisticValue value, const std::string& description);
   /// Statistics and extremes so far as JSON, with what describes the run.
   [[nodiscard]] nlohmann::json summary(const std::string& status, const std::string& message) const;
   void finish(ResultStatus status, const std::string& message);
 
+  [[nodiscard]] const RunClock& clock() const { return clock_; }
   [[nodiscard]] const Extremes& extremes() const { return extremes_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] std::uint64_t frames() const { return writer_.frames(); }
@@ -57,6 +67,7 @@ class Recorder {
   const Case& case_;
   const CaseModel& model_;
   ResultHeader header_;
+  RunClock clock_;
   std::optional<Restart> restart_;
   ResultWriter writer_;
   XdmfWriter xdmf_;

@@ -25,7 +25,7 @@ class BendSprings final : public ForceTerm {
  public:
   /// @param relaxation_time  β [s], ≥ 0
   /// @throws std::invalid_argument  β < 0, a stiffness that is not positive, or a spring that names a node twice
-  explicit BendSprings(std::vector<BendSpring> springs, double relaxation_time = 0);
+  explicit BendSprings(const std::vector<BendSpring>& springs, double relaxation_time = 0);
 
   [[nodiscard]] std::string_view name() const override { return "bend springs"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }

@@ -184,6 +184,7 @@ struct ProbeCase {
 
 struct OutputCase {
   std::vector<double> frame_times;  // dynamics: from 0 to the duration
+  double checkpoint_every = 2;      // wall clock [s]
   std::vector<ProbeCase> probes;
 };
 

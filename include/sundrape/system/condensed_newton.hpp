@@ -41,6 +41,7 @@ class CondensedNewton {
   double tolerance_, c_ = 0, time_ = 0;
   Vector q_, v_;                              // all points, where the matrix was assembled
   Vector shifted_v_, force_, shifted_force_;  // all points, work
+  bool force_known_ = false;                  // force_ is that where the matrix was assembled
   Vector right_side_;                         // rows
   Counters counters_;
 };

@@ -1,0 +1,94 @@
+#include "sundials_integrator.hpp"
+
+namespace sundrape {
+
+SundialsIntegrator::SundialsIntegrator(const System& system, const IntegratorOptions& options, EventSource* events)
+    : form_(system), options_(options), events_(events), y_(form_.size(), context_) {}
+
+void SundialsIntegrator::load(double time, ConstVectorRef q, ConstVectorRef v) {
+  auto y = y_.values();
+  y.head(q.size()) = q;
+  y.tail(v.size()) = v;
+  time_ = time;
+}
+
+void SundialsIntegrator::state(VectorRef q, VectorRef v) const {
+  q = y_.values().head(q.size());
+  v = y_.values().tail(v.size());
+}
+
+void SundialsIntegrator::interpolate(double time, VectorRef q, VectorRef v) const {
+  const sundials::StateVector at(form_.size(), context_);
+  interpolant(time, at.get());
+  q = at.values().head(q.size());
+  v = at.values().tail(v.size());
+}
+
+std::vector<int> SundialsIntegrator::fired() const {
+  std::vector<int> roots(static_cast<std::size_t>(event_count()));
+  if (!roots.empty()) root_info(roots.data());
+  return roots;
+}
+
+int SundialsIntegrator::evaluate_events(double time, N_Vector y, double* values) {
+  return carrier_.run([&] {
+    form_.events(time, sundials::values(y), *events_, {values, static_cast<std::size_t>(event_count())});
+    return 0;
+  });
+}
+
+void SundialsIntegrator::bank() {
+  const auto s = current();
+  banked_.steps += s.steps;
+  banked_.newton_iterations += s.newton_iterations;
+  banked_.error_test_failures += s.error_test_failures;
+  banked_.step_solve_failures += s.step_solve_failures;
+  ++banked_.restarts;
+}
+
+IntegratorStatistics SundialsIntegrator::statistics() const {
+  auto s = current();
+  s.steps += banked_.steps;
+  s.newton_iterations += banked_.newton_iterations;
+  s.error_test_failures += banked_.error_test_failures;
+  s.step_solve_failures += banked_.step_solve_failures;
+  s.restarts = banked_.restarts;
+  s.force_evaluations = form_.evaluations();
+  return s;
+}
+
+ImplicitIntegrator::ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
+    : SundialsIntegrator(system, options, events),
+      newton_(system, std::move(solver), options.linear_tolerance),
+      weights_{options.rtol, options.atol_position, options.atol_velocity, Vector()} {}
+
+int ImplicitIntegrator::refresh(double time, double c, N_Vector y) {
+  if (time == matrix_time_ && c == matrix_c_) return 0;
+  forget_matrix();
+  const auto n = form_.size() / 2;
+  const auto at = sundials::values(y);
+  if (newton_.prepare(time, c, at.head(n), at.tail(n)) != FactorStatus::ok) return SUNLS_PACKAGE_FAIL_REC;
+  matrix_time_ = time;
+  matrix_c_ = c;
+  return 0;
+}
+
+int ImplicitIntegrator::evaluate_weights(N_Vector y, N_Vector weights) {
+  return carrier_.run([&] {
+    weights_.evaluate(sundials::values(y), sundials::values(weights));
+    return 0;
+  });
+}
+
+int ImplicitIntegrator::solve(ConstVectorRef r_q, ConstVectorRef r_v, N_Vector x) {
+  const auto n = form_.size() / 2;
+  auto result = sundials::values(x);
+  return newton_.solve(r_q, r_v, result.head(n), result.tail(n)).ok ? 0 : SUNLS_PACKAGE_FAIL_REC;
+}
+
+IntegratorStatistics ImplicitIntegrator::with_linear(IntegratorStatistics s) const {
+  s.linear = newton_.counters();
+  return s;
+}
+
+}  // namespace sundrape

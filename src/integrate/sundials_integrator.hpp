@@ -1,0 +1,71 @@
+#pragma once
+#include <vector>
+
+#include "sundials_support.hpp"
+#include "sundrape/integrate/first_order_form.hpp"
+#include "sundrape/integrate/integrator.hpp"
+
+namespace sundrape {
+
+/// What the integrators built on SUNDIALS have in common: the state vector, events, counters that outlive restarts.
+class SundialsIntegrator : public Integrator {
+ public:
+  void state(VectorRef q, VectorRef v) const final;
+  void interpolate(double time, VectorRef q, VectorRef v) const final;
+  [[nodiscard]] std::vector<int> fired() const final;
+  [[nodiscard]] IntegratorStatistics statistics() const final;
+
+ protected:
+  SundialsIntegrator(const System& system, const IntegratorOptions& options, EventSource* events);
+
+  /// y = (q, v)
+  void load(double time, ConstVectorRef q, ConstVectorRef v);
+  /// Before a restart, which sets the library's counters back.
+  void bank();
+  [[nodiscard]] int event_count() const { return events_ ? events_->count() : 0; }
+  /// Directions for the root finder: events happen where their values fall.
+  [[nodiscard]] std::vector<int> falling() const { return std::vector<int>(static_cast<std::size_t>(event_count()), -1); }
+  /// The root function's work; returns SUNDIALS' flag.
+  int evaluate_events(double time, N_Vector y, double* values);
+  /// Restarts begin with a tenth of the last step; 0 lets the library choose.
+  [[nodiscard]] double first_step() const { return last_step_ > 0 ? 0.1 * last_step_ : options_.first_step.value_or(0.0); }
+
+  /// Interpolant of the last step at a time, into y.
+  virtual void interpolant(double time, N_Vector y) const = 0;
+  virtual void root_info(int* fired) const = 0;
+  /// Counters since the last restart.
+  [[nodiscard]] virtual IntegratorStatistics current() const = 0;
+
+  sundials::Context context_;
+  sundials::ExceptionCarrier carrier_;
+  sundials::MessageKeeper messages_;
+  FirstOrderForm form_;
+  IntegratorOptions options_;
+  EventSource* events_;
+  sundials::StateVector y_;
+  double time_ = 0, last_step_ = 0;
+  IntegratorStatistics banked_;
+};
+
+/// What the implicit ones add: Newton's matrix, refreshed at every new step or new try of one, and the error weights.
+class ImplicitIntegrator : public SundialsIntegrator {
+ protected:
+  ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events);
+
+  /// Factors c² M + c C + K at (t, y) unless that was done for the same t and c; SUNDIALS' flag.
+  int refresh(double time, double c, N_Vector y);
+  void forget_matrix() { matrix_time_ = matrix_c_ = -1; }
+  int evaluate_weights(N_Vector y, N_Vector weights);
+  /// Solves the Newton system into x; r_q and r_v as in CondensedNewton; SUNDIALS' flag.
+  int solve(ConstVectorRef r_q, ConstVectorRef r_v, N_Vector x);
+  /// counters of the linear algebra
+  [[nodiscard]] IntegratorStatistics with_linear(IntegratorStatistics s) const;
+
+  CondensedNewton newton_;
+  ErrorWeights weights_;
+
+ private:
+  double matrix_time_ = -1, matrix_c_ = -1;
+};
+
+}  // namespace sundrape
