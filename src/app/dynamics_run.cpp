@@ -21,12 +21,12 @@ SolverKind solver_kind(const std::string& name) {
   return SolverKind::conjugate_gradients;   // wins at every size while mass matters; "auto"
 }
 
-/// Error weights' absolute parts (docs/integrators.md): 0.1 rtol of the sheet's size; 100 rtol √(g L), at most 0.01 √(g L).
+/// Error weights' absolute parts (docs/integrators.md): a quarter of rtol of the sheet's size; 100 rtol √(g L), at most 0.01 √(g L).
 IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   const auto& d = c.dynamics;
   IntegratorOptions o;
   o.rtol = d.rtol;
-  o.atol_position = d.atol_position.value_or(0.1 * d.rtol * model.size);
+  o.atol_position = d.atol_position.value_or(0.25 * d.rtol * model.size);
   o.atol_velocity = d.atol_velocity.value_or(std::min(0.01, 100 * d.rtol) * std::sqrt(model.gravity * model.size));
   o.max_order = d.max_order;
   o.first_step = d.first_step;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "sundrape/app/obstacles.hpp"
 #include "sundrape/force/dead_load.hpp"
@@ -127,13 +128,7 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
   model.gravity = gravity.norm() > 0 ? gravity.norm() : 9.80665;
 }
 
-double mean_edge_length(const Threads& threads) {
-  double sum = 0;
-  for (const auto& s : threads.segments) sum += s.length;
-  return sum / static_cast<double>(threads.segments.size());
-}
-
-void add_contact(const Case& c, CaseModel& model, const Threads& threads, Terms& terms) {
+void add_contact(const Case& c, CaseModel& model, Terms& terms) {
   if (c.obstacles.empty()) return;
   std::vector<std::shared_ptr<const Obstacle>> obstacles;
   for (const auto& obstacle : c.obstacles) {
@@ -142,8 +137,9 @@ void add_contact(const Case& c, CaseModel& model, const Threads& threads, Terms&
     model.obstacles.push_back(std::move(built.record));
   }
   const double weight_per_area = c.fabric.area_density * model.gravity;
+  const double half_bending_length = 0.5 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / weight_per_area);
   const double stiffness = c.contact.stiffness.value_or(
-      suggested_stiffness({.weight_per_area = weight_per_area, .diagonal = diagonal(model.mesh), .edge_length = mean_edge_length(threads)}, c.contact.penetration));
+      suggested_stiffness({.weight_per_area = weight_per_area, .diagonal = diagonal(model.mesh), .spread = std::max(mean_edge_length(model.mesh), half_bending_length)}, c.contact.penetration));
   auto term = std::make_unique<ObstacleContact>(std::move(obstacles), tributary_areas(model.mesh), ContactLaw(stiffness, c.contact.smoothing));
   model.contact = term.get();
   terms.push_back(std::move(term));
@@ -179,7 +175,7 @@ CaseModel build_model(const Case& c) {
     if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends = bends;
   add_loads(c, model, threads, placed, mass, terms);
   if (c.fabric.damping.mass > 0) terms.push_back(std::make_unique<Drag>(mass, c.fabric.damping.mass));
-  add_contact(c, model, threads, terms);
+  add_contact(c, model, terms);
 
   auto start = wavy(model.mesh, placed, waviness(c, c.fabric.thickness), c.cloth.waviness_seed);
   for (std::size_t i = 0; i < start.size(); ++i)

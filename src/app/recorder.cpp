@@ -117,6 +117,7 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
     f.penetration = model_.contact->report(all).deepest_penetration;
   }
   for (const auto& set : model_.reactions) f.reactions.push_back(reaction(*model_.system, all, set.nodes));
+  if (case_.analysis == Analysis::relaxation) extremes_ = {.deepest_penetration = f.penetration};
   const auto [smallest, largest] = model_.threads->strain_range(all.q);
   extremes_.largest_edge_strain = std::max(extremes_.largest_edge_strain, largest);
   extremes_.smallest_edge_strain = std::min(extremes_.smallest_edge_strain, smallest);
@@ -130,7 +131,7 @@ ContactReport Recorder::step(const State& all) {
   if (!model_.probes.empty()) writer_.append_probes(all.time, all.q, all.v);
   if (!model_.contact) return {};
   auto report = model_.contact->report(all);
-  extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
+  if (case_.analysis == Analysis::dynamics) extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
   return report;
 }
 

@@ -122,13 +122,16 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
 
   RelaxationResult result;
   if (c.relaxation.scheme == "chapter") {
-    result = relax_as_in_chapter(system,
-                                 {.c_disp = c.relaxation.c_disp.value_or(0), .c_acc = c.relaxation.c_acc.value_or(-1), .edge_length = shortest_edge(model.mesh), .force_scale = force_scale},
+    const auto found = relax_as_in_chapter(system,
+                                 {.c_disp = c.relaxation.c_disp.value_or(0), .c_acc = c.relaxation.c_acc.value_or(-1), .edge_length = shortest_edge(model.mesh), .tolerance = c.relaxation.tolerance, .max_iterations = c.relaxation.max_iterations.value_or(1000000), .force_scale = force_scale},
                                  q, watch);
+    recorder.statistic("chapter_criterion_iterations", static_cast<std::int64_t>(found.criterion_iterations), "steps after which no node moved further than b/10,000: where the chapter stops");
+    recorder.statistic("chapter_criterion_residual", found.criterion_residual, "|out-of-balance force| / |external force| there");
+    result = found;
   } else {
     const auto solver = make_linear_solver(solver_kind(c));
     result = relax(system, *solver,
-                   {.tolerance = c.relaxation.tolerance, .max_iterations = c.relaxation.max_iterations, .first_step = first_step, .growth = c.relaxation.growth, .force_scale = force_scale}, q, watch);
+                   {.tolerance = c.relaxation.tolerance, .max_iterations = c.relaxation.max_iterations.value_or(2000), .first_step = first_step, .growth = c.relaxation.growth, .force_scale = force_scale}, q, watch);
   }
 
   recorder.statistic("iterations", static_cast<std::int64_t>(watch.before().iterations) + result.iterations, "steps of the relaxation");

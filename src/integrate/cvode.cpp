@@ -79,11 +79,18 @@ class Cvode final : public ImplicitIntegrator {
     N_Vector predicted = nullptr, y = nullptr, f = nullptr, zn1 = nullptr;
     void* data = nullptr;
     require_success(CVodeGetNonlinearSystemData(memory_.get(), &t, &predicted, &y, &f, &gamma, &rl1, &zn1, &data), "CVodeGetNonlinearSystemData");
-    if (const int flag = refresh(t, 1 / gamma, y); flag != 0) return flag;
+    bool refreshed = false;
+    if (const int flag = refresh(t, 1 / gamma, y, refreshed); flag != 0) return flag;
     const auto n = form_.size() / 2;
+    const auto& mass = form_.system().row_mass();
+    if (refreshed) {   // CVODE has just evaluated ẏ there
+      r_v_ = sundials::values(f).tail(n);
+      for (int r = 0; r < mass.size(); ++r) point(r_v_, r) *= mass[r];
+      newton_.know_forces(r_v_);
+    }
     r_q_ = sundials::values(b).head(n) / gamma;
     r_v_ = sundials::values(b).tail(n) / gamma;
-    for (int r = 0; r < form_.system().unknowns().rows(); ++r) point(r_v_, r) *= form_.system().row_mass()[r];
+    for (int r = 0; r < mass.size(); ++r) point(r_v_, r) *= mass[r];
     return solve(r_q_, r_v_, x);
   }
 

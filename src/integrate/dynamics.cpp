@@ -62,6 +62,7 @@ DynamicsEnd Dynamics::run(double time, ConstVectorRef q, ConstVectorRef v, bool 
     if (report.event && events_ && events_->happen(time_, q_, v_, integrator_.fired())) {
       system_.unknowns().gather(v_, rows_v_);
       system_.unknowns().gather(q_, rows_q_);
+      system_.unknowns().clear_held(rows_v_);
       integrator_.start(time_, rows_q_, rows_v_);
       expand_last();
       audit_->advance(last(), events_->dissipated());

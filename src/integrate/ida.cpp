@@ -91,7 +91,8 @@ class Ida final : public ImplicitIntegrator {
     N_Vector predicted = nullptr, predicted_dot = nullptr, y = nullptr, y_dot = nullptr, r = nullptr;
     void* data = nullptr;
     require_success(IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data), "IDAGetNonlinearSystemData");
-    if (const int flag = refresh(t, c, y); flag != 0) return flag;
+    bool refreshed = false;
+    if (const int flag = refresh(t, c, y, refreshed); flag != 0) return flag;
     const auto n = form_.size() / 2;
     const auto right = sundials::values(b);
     return solve(right.head(n), right.tail(n), x);

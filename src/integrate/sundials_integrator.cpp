@@ -62,8 +62,9 @@ ImplicitIntegrator::ImplicitIntegrator(const System& system, std::unique_ptr<Lin
       newton_(system, std::move(solver), options.linear_tolerance),
       weights_{options.rtol, options.atol_position, options.atol_velocity, Vector()} {}
 
-int ImplicitIntegrator::refresh(double time, double c, N_Vector y) {
-  if (time == matrix_time_ && c == matrix_c_) return 0;
+int ImplicitIntegrator::refresh(double time, double c, N_Vector y, bool& done) {
+  done = time != matrix_time_ || c != matrix_c_;
+  if (!done) return 0;
   forget_matrix();
   const auto n = form_.size() / 2;
   const auto at = sundials::values(y);

@@ -52,8 +52,8 @@ class ImplicitIntegrator : public SundialsIntegrator {
  protected:
   ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events);
 
-  /// Factors c² M + c C + K at (t, y) unless that was done for the same t and c; SUNDIALS' flag.
-  int refresh(double time, double c, N_Vector y);
+  /// Factors c² M + c C + K at (t, y) unless that was done for the same t and c; SUNDIALS' flag. True in `done` if so.
+  int refresh(double time, double c, N_Vector y, bool& done);
   void forget_matrix() { matrix_time_ = matrix_c_ = -1; }
   int evaluate_weights(N_Vector y, N_Vector weights);
   /// Solves the Newton system into x; r_q and r_v as in CondensedNewton; SUNDIALS' flag.

@@ -49,7 +49,7 @@ RelaxationCase resolve_relaxation(const CaseSection& section) {
   RelaxationCase relaxation;
   relaxation.tolerance = section.number("tolerance");
   relaxation.scheme = section.text("scheme");
-  relaxation.max_iterations = section.integer("max_iterations");
+  if (const auto most = section.maybe_number("max_iterations")) relaxation.max_iterations = static_cast<int>(*most);
   relaxation.first_step = section.maybe_number("first_step");
   relaxation.growth = section.number("growth");
   relaxation.linear_solver = section.text("linear_solver");

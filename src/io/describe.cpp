@@ -197,7 +197,7 @@ void describe_relaxation(CaseDescription& out, const RelaxationCase& relaxation)
   out.enter("relaxation", "relaxation");
   out.number("tolerance", relaxation.tolerance);
   out.text("scheme", relaxation.scheme);
-  out.verbatim("max_iterations", fmt::format("{}", relaxation.max_iterations));
+  if (relaxation.max_iterations) out.verbatim("max_iterations", fmt::format("{}", *relaxation.max_iterations));
   out.maybe_number("first_step", relaxation.first_step);
   out.number("growth", relaxation.growth);
   out.text("linear_solver", relaxation.linear_solver);

@@ -10,9 +10,9 @@ CondensedNewton::CondensedNewton(const System& system, std::unique_ptr<LinearSol
   q_.resize(all);
   v_.resize(all);
   shifted_v_.resize(all);
-  force_.resize(all);
-  shifted_force_.resize(all);
+  work_.resize(all);
   right_side_.resize(system.unknowns().size());
+  force_.resize(system.unknowns().size());
   solver_->analyse(system.structure());
 }
 
@@ -52,17 +52,23 @@ SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, Vecto
   return report;
 }
 
-void CondensedNewton::add_damping_product(ConstVectorRef r_q, VectorRef right_side) {
-  if (!force_known_) system_.force({time_, q_, v_}, force_);
+void CondensedNewton::know_forces(ConstVectorRef rows) {
+  force_ = rows;
   force_known_ = true;
-  shifted_v_.setZero();
-  system_.unknowns().scatter(r_q, shifted_v_);
-  shifted_v_ += v_;
-  system_.force({time_, q_, shifted_v_}, shifted_force_);
-  for (int r = 0; r < system_.unknowns().rows(); ++r) {
-    const int p = system_.unknowns().point_of_row()[static_cast<std::size_t>(r)];
-    point(right_side, r) += point(force_, p) - point(shifted_force_, p);
+}
+
+void CondensedNewton::add_damping_product(ConstVectorRef r_q, VectorRef right_side) {
+  const auto& unknowns = system_.unknowns();
+  if (!force_known_) {
+    system_.force({time_, q_, v_}, work_);
+    unknowns.gather(work_, force_);
+    force_known_ = true;
   }
+  shifted_v_.setZero();
+  unknowns.scatter(r_q, shifted_v_);
+  shifted_v_ += v_;
+  system_.force({time_, q_, shifted_v_}, work_);
+  for (int r = 0; r < unknowns.rows(); ++r) point(right_side, r) += point(force_, r) - point(work_, unknowns.point_of_row()[static_cast<std::size_t>(r)]);
 }
 
 }  // namespace sundrape

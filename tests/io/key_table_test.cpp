@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "sundrape/io/nearest_name.hpp"
@@ -29,12 +30,13 @@ TEST(KeyTable, IsTheReferenceInTheDocs) {
   ASSERT_NE(begin, std::string::npos);
   ASSERT_NE(end, std::string::npos);
   const auto from = begin + begin_mark.size();
+  const auto reference = fmt::format("\n{}", key_table_markdown());
   if (std::getenv("SUNDRAPE_UPDATE_DOCS") != nullptr) {
-    text.replace(from, end - from, "\n" + key_table_markdown());
+    text.replace(from, end - from, reference);
     std::ofstream(guide) << text;
     return;
   }
-  EXPECT_EQ(text.substr(from, end - from), "\n" + key_table_markdown())
+  EXPECT_EQ(text.substr(from, end - from), reference)
       << "run the tests once with SUNDRAPE_UPDATE_DOCS=1 to bring docs/case-file.md up to date";
 }
 

@@ -14,9 +14,9 @@ def check(path):
         count = file["frames/time"].shape[0]
         np.testing.assert_array_equal(file["frames/time"][...], 0.01 * np.arange(count))
         nodes = file["mesh/reference"].shape[0]
-        ramp = 1e-3 * np.arange(3 * nodes).reshape(nodes, 3)
+        ramp = 2.0**-10 * np.arange(3 * nodes).reshape(nodes, 3)
         for array, name in enumerate(("position", "velocity", "contact_force"), start=1):
-            phase = np.sin(0.1 * np.arange(count) + array)
+            phase = np.sin(0.125 * np.arange(count) + array)
             expected = phase[:, None, None] + ramp
             np.testing.assert_allclose(file["frames"][name][:count], expected, rtol=0, atol=1e-12, err_msg=name)
         steps = file["steps/time"].shape[0]

@@ -1,12 +1,12 @@
 #include "support/benchmarks.hpp"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/io/case_reader.hpp"
@@ -65,7 +65,7 @@ std::unique_ptr<Integrator> integrator_of(const Benchmark& b) {
   const auto& system = *b.model.system;
   IntegratorOptions options;
   options.rtol = d.rtol;
-  options.atol_position = d.atol_position.value_or(0.1 * d.rtol * b.model.size);
+  options.atol_position = d.atol_position.value_or(0.25 * d.rtol * b.model.size);
   options.atol_velocity =
       d.atol_velocity.value_or(std::min(0.01, 100 * d.rtol) * std::sqrt(b.model.gravity * b.model.size));
   options.max_order = d.max_order;
@@ -92,18 +92,23 @@ Motion motion(const System& system, Integrator& integrator, const std::vector<do
   return motion;
 }
 
-std::vector<Vector3> centre_line(const QuadMesh& strip, const Vector& all) {
+std::vector<std::vector<int>> columns(const QuadMesh& strip) {
   const double resolution = 1e-9 * diagonal(strip);
-  std::map<long, std::pair<Vector3, int>> columns;
-  for (int i = 0; i < strip.nodes(); ++i) {
-    auto& [sum, count] =
-        columns.try_emplace(std::lround(strip.material[static_cast<std::size_t>(i)].x() / resolution), Vector3::Zero(), 0)
-            .first->second;
-    sum += point(all, i);
-    ++count;
-  }
+  std::map<long, std::vector<int>> by_place;
+  for (int i = 0; i < strip.nodes(); ++i)
+    by_place[std::lround(strip.material[static_cast<std::size_t>(i)].x() / resolution)].push_back(i);
+  std::vector<std::vector<int>> columns;
+  for (auto& [place, nodes] : by_place) columns.push_back(std::move(nodes));
+  return columns;
+}
+
+std::vector<Vector3> centre_line(const QuadMesh& strip, const Vector& all) {
   std::vector<Vector3> line;
-  for (const auto& [x, column] : columns) line.push_back(column.first / column.second);
+  for (const auto& column : columns(strip)) {
+    Vector3 sum = Vector3::Zero();
+    for (const int i : column) sum += point(all, i);
+    line.emplace_back(sum / static_cast<double>(column.size()));
+  }
   return line;
 }
 
@@ -135,6 +140,7 @@ std::map<std::string, std::vector<double>> reference_table(const std::string& na
   std::map<std::string, std::vector<double>> table;
   std::vector<std::string> header;
   for (std::string line; std::getline(in, line);) {
+    if (line.ends_with('\r')) line.pop_back();
     if (line.empty() || line.front() == '#') continue;
     std::istringstream cells(line);
     std::size_t k = 0;

@@ -28,9 +28,9 @@ struct Equilibrium {
 
 /// A dynamic case at its frame times, and what the integrator did.
 struct Motion {
-  std::vector<double> time;                 // [s]
-  std::vector<Vector> position, velocity;   // 3N [m], [m/s]
-  std::vector<double> energy, kinetic;      // kinetic + stored, and kinetic alone [J]
+  std::vector<double> time;                // [s]
+  std::vector<Vector> position, velocity;  // 3N [m], [m/s]
+  std::vector<double> energy, kinetic;     // kinetic + stored, and kinetic alone [J]
   IntegratorStatistics statistics;
 };
 [[nodiscard]] std::unique_ptr<Integrator> integrator_of(const Benchmark& b);
@@ -41,6 +41,8 @@ struct Motion {
 [[nodiscard]] Motion motion(const System& system, Integrator& integrator, const std::vector<double>& frame_times,
                             ConstVectorRef q, ConstVectorRef v);
 
+/// Nodes of a strip by their place along its warp, from start to end.
+[[nodiscard]] std::vector<std::vector<int>> columns(const QuadMesh& strip);
 /// Centre line of a strip along its warp, from start to end: means over its width of a vector of all nodes (3N).
 [[nodiscard]] std::vector<Vector3> centre_line(const QuadMesh& strip, const Vector& all);
 /// Angle by which the last edge of a planar centre line has turned from +x towards +z, followed along the line so that

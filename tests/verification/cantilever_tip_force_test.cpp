@@ -1,27 +1,27 @@
 // B1: the tip-loaded cantilever (chapter §4.1) against the elastica and against the second-order chain.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "support/benchmarks.hpp"
 
 namespace sundrape {
 namespace {
 
-constexpr double ei = 3.4641016151377544e-9;   // [N m²]; L = 1 m
-constexpr double stretch = 1e-5;               // P/EA at λ = 10: the elastica does not stretch, the strip does
+constexpr double ei = 3.4641016151377544e-9;  // [N m²]; L = 1 m
+constexpr double stretch = 1e-5;              // P/EA at λ = 10: the elastica does not stretch, the strip does
 
 struct Tip {
-  double shortening, rise, rotation;   // of the tip, over L; [rad]
+  double shortening, rise, rotation;  // of the tip, over L; [rad]
   [[nodiscard]] double distance(const Tip& other) const {
     return std::hypot(shortening - other.shortening, rise - other.rise);
   }
 };
 
-/// θ'' = −λ cos θ, θ(0) = 0, θ'(1) = 0 by central differences on n edges, θ at their middles: what a second-order method
-/// makes of the elastica. Shooting from the root moment, by Newton's method along growing λ.
+/// θ'' = −λ cos θ, θ(0) = 0, θ'(1) = 0 by central differences on n edges, θ at their middles: what a second-order
+/// method makes of the elastica. Shooting from the root moment, by Newton's method along growing λ.
 Tip second_order_chain(int n, double lambda) {
   const double b = 1.0 / n;
   std::vector<double> theta(static_cast<std::size_t>(n));
@@ -66,8 +66,8 @@ std::vector<std::pair<double, Tip>> elastica() {
   const auto table = reference_table("elastica_tip_force.csv");
   std::vector<std::pair<double, Tip>> rows;
   for (std::size_t k = 1; k < table.at("lambda").size(); ++k)
-    rows.emplace_back(table.at("lambda")[k], Tip{table.at("ux/L (shortening)")[k], table.at("uy/L")[k],
-                                                 table.at("tip rotation rad")[k]});
+    rows.emplace_back(table.at("lambda")[k],
+                      Tip{table.at("ux/L (shortening)")[k], table.at("uy/L")[k], table.at("tip rotation rad")[k]});
   return rows;
 }
 

@@ -1,10 +1,10 @@
 // B2: the moment-loaded cantilever (chapter §4.2), up to the closed circle, against its closed form.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
 #include <numbers>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "support/benchmarks.hpp"
 
@@ -12,11 +12,11 @@ namespace sundrape {
 namespace {
 
 using std::numbers::pi;
-constexpr double ei = 3.4641016151377544e-9;   // [N m²]; L = 1 m
-constexpr double solved = 1e-5;                // what the relaxation's tolerance of 1e-8 leaves, generously
+constexpr double ei = 3.4641016151377544e-9;  // [N m²]; L = 1 m
+constexpr double solved = 1e-5;               // what the relaxation's tolerance of 1e-8 leaves, generously
 
 struct Tip {
-  double shortening, rise, rotation;   // of the tip, over L; [rad]
+  double shortening, rise, rotation;  // of the tip, over L; [rad]
   [[nodiscard]] double distance(const Tip& other) const {
     return std::hypot(shortening - other.shortening, rise - other.rise);
   }

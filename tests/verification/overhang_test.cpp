@@ -1,17 +1,17 @@
 // B3: a strip over the edge of a table (chapter §4.3) against the elastica that rests on vertical contact forces.
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "support/benchmarks.hpp"
 
 namespace sundrape {
 namespace {
 
-constexpr double weight = 0.0255e-3 * 9.80665 / 1e-2;   // of the strip [N/m]: 0.0255 gf/cm
-constexpr double edge = 4.5e-2, length = 6e-2;          // of the table, and of the strip [m]
-constexpr double gram_force = 9.80665e-3;               // [N]
+constexpr double weight = 0.0255e-3 * 9.80665 / 1e-2;  // of the strip [N/m]: 0.0255 gf/cm
+constexpr double edge = 4.5e-2, length = 6e-2;         // of the table, and of the strip [m]
+constexpr double gram_force = 9.80665e-3;              // [N]
 
 struct Overhang {
   double lift_off = 0;        // p, from where the strip leaves the table to its edge [m]
@@ -64,16 +64,16 @@ Errors errors_with(int cells) {
   const auto rest = equilibrium(b);
   const Overhang o = read(b, rest.q);
   const Errors e = relative_errors(o);
-  fmt::print("{:4} cells: p {:.5f} cm ({:+.2f} %), δ {:.6f} cm ({:+.2f} %), lift-off {:.7f} gf ({:+.2f} %), edge {:.7f} gf "
-             "({:+.2f} %); {} iterations\n",
-             cells, 100 * o.lift_off, 100 * e.lift_off, 100 * o.deflection, 100 * e.deflection,
-             o.lift_off_force / gram_force, 100 * e.lift_off_force, o.edge_force / gram_force, 100 * e.edge_force,
-             rest.result.iterations);
+  fmt::print(
+      "{:4} cells: p {:.5f} cm ({:+.2f} %), δ {:.6f} cm ({:+.2f} %), lift-off {:.7f} gf ({:+.2f} %), edge {:.7f} gf "
+      "({:+.2f} %); {} iterations\n",
+      cells, 100 * o.lift_off, 100 * e.lift_off, 100 * o.deflection, 100 * e.deflection, o.lift_off_force / gram_force,
+      100 * e.lift_off_force, o.edge_force / gram_force, 100 * e.edge_force, rest.result.iterations);
   return e;
 }
 
 TEST(Overhang, TwentyFourCellsBeatThePaper) {
-  EXPECT_LT(std::abs(errors_with(24).deflection), 0.19);   // chapter §4.3, its particle row
+  EXPECT_LT(std::abs(errors_with(24).deflection), 0.19);  // chapter §4.3, its particle row
 }
 
 TEST(Overhang, ContactCarriesTheWholeStrip) {

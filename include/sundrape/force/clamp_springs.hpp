@@ -20,6 +20,7 @@ struct ClampSpring {
 /// edge stores ½ (B w/(b/2)) φ². With it the moment- and tip-loaded cantilevers converge with second order.
 class ClampSprings final : public ForceTerm {
  public:
+  /// @param relaxation_time  β [s], ≥ 0
   /// @throws std::invalid_argument  β < 0, or a stiffness that is not positive
   explicit ClampSprings(std::vector<ClampSpring> springs, double relaxation_time = 0);
 

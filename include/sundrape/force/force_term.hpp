@@ -26,7 +26,7 @@ class ForceTerm {
   [[nodiscard]] virtual double energy(const State& state) const = 0;
   /// Power that the term turns into heat [W], ≥ 0.
   [[nodiscard]] virtual double dissipated_power(const State& /*state*/) const { return 0; }
-  /// Power that a term without an energy feeds in from outside [W] (follower loads).
+  /// Power from outside that the term's energy does not account for [W]: follower loads, loads on a ramp.
   [[nodiscard]] virtual double external_power(const State& /*state*/) const { return 0; }
 
   /// f += this term's force [N]; f has the shape of q.

@@ -8,9 +8,9 @@ namespace sundrape {
 
 /// The angle from edge a to edge b about an axis c, with its derivatives.
 ///
-/// φ = atan2((a×b)·c, |c| a·b − (a·c)(b·c)/|c|): the turn of a thread about the thread that crosses it. Turning the
-/// thread in the plane of a and c leaves φ alone, so it measures bending out of the sheet and no shear inside it; φ has
-/// a sign, and it is smooth through a straight thread. All vectors in metres, φ in (−π, π).
+/// φ = atan2((a×b)·c, |c| a·b − (a·c)(b·c)/|c|): the turn of a thread about the thread that crosses it. Turning an
+/// edge towards c, in the plane of both, leaves φ alone, so it measures bending out of the sheet and no shear inside it;
+/// φ has a sign, and it is smooth through a straight thread. All vectors in metres, φ in (−π, π).
 struct HingeAngle {
   double angle;
   Vector3 ga, gb, gc;                   // ∂φ/∂a, ∂φ/∂b, ∂φ/∂c [1/m]
@@ -50,13 +50,13 @@ struct TurnGradient {
 }  // namespace hinge
 
 inline HingeAngle::HingeAngle(const Vector3& a, const Vector3& b, const Vector3& c) {
-  const double square = c.squaredNorm(), length = std::sqrt(square);
+  const double square = c.squaredNorm(), length = std::sqrt(square), per_square = 1 / square;
   const double ac = a.dot(c), bc = b.dot(c);
-  angle = std::atan2(a.cross(b).dot(c), length * a.dot(b) - ac * bc / length);
+  angle = std::atan2(a.cross(b).dot(c), length * (a.dot(b) - ac * bc * per_square));
   ga = -hinge::turn(a, c, length);
   gb = hinge::turn(b, c, length);
   // φ does not change under a common rotation, nor with the length of c
-  gc = -(ac * ga + bc * gb) / square;
+  gc = (-ac * per_square) * ga - (bc * per_square) * gb;
 }
 
 inline HingeCurvature::HingeCurvature(const Vector3& a, const Vector3& b, const Vector3& c) {

@@ -4,7 +4,10 @@
 namespace sundrape {
 
 /// Keeps the books of a run's energy: what loads put in, what physics turned into heat, and what the integration method
-/// itself lost. Powers are integrated over the accepted steps by the trapezoidal rule.
+/// itself lost.
+///
+/// A step's heat and work are its length times the powers at its middle, with rates Δq/h: second order for smooth
+/// motion, and blind to what stiff rates at the ends of a step look like, which no error test watches closely.
 ///
 ///     method_dissipated = E(0) + external_work − dissipated − E(t),   E = kinetic + stored without the loads' potential
 class EnergyAudit {
@@ -16,8 +19,9 @@ class EnergyAudit {
     double method_dissipated = 0;   // by the integration method so far [J]
   };
 
-  /// @param dissipated, external_work  carried over from before a restart [J]; initial_energy likewise, if given
+  /// The books open at a state of all points.
   EnergyAudit(const System& system, const State& all);
+  /// Carries over what a run that was interrupted had dissipated and been fed, and the energy that it began with [J].
   void resume(const Balance& before, double initial_energy);
 
   /// An accepted step ended here; `impact_loss` is what impacts have turned into heat so far [J].
@@ -29,9 +33,12 @@ class EnergyAudit {
  private:
   const System& system_;
   double initial_energy_, initial_load_;      // [J]
-  double time_ = 0, power_out_ = 0, power_in_ = 0;                 // where the last step ended
-  double last_time_ = 0, last_power_out_ = 0, last_power_in_ = 0;  // where it began
-  double dissipated_ = 0, fed_in_ = 0, impact_loss_ = 0;           // until where it began [J]
+  double start_ = 0, end_ = 0;                // of the last step [s]
+  double power_out_ = 0, power_in_ = 0;       // over the last step [W]
+  double dissipated_ = 0, fed_in_ = 0;        // until the last step began [J]
+  double impact_loss_ = 0;
+  Vector q_;                                  // where the last step ended, 3P
+  Vector middle_, rate_;                      // work
   double carried_work_ = 0;
 };
 

@@ -11,7 +11,7 @@ struct ErrorWeights {
   double rtol;
   double atol_position;   // [m]
   double atol_velocity;   // [m/s]
-  Vector start;           // rows, 3n: coordinates at the start
+  Vector start;           // rows, 3n: coordinates when the integrator was first started
 
   /// weights (6n, reciprocal allowed errors) of y = (q, v) (6n).
   void evaluate(ConstVectorRef y, VectorRef weights) const;

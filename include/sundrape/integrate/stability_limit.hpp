@@ -12,7 +12,8 @@ struct StabilityLimit {
 
 /// Estimates the stiffest mode at a state by power iteration on M⁻¹K and M⁻¹C, and with it the step h at which the
 /// amplification |R(hλ)| of the classical Runge–Kutta method, R(z) = 1 + z + z²/2 + z³/6 + z⁴/24, passes 1 for
-/// λ² + c λ + ω² = 0: h ω = 2√2 without damping, h c ≈ 2.785 where damping rules.
+/// λ² + c λ + ω² = 0: h ω = 2√2 without damping, h c ≈ 2.785 where damping rules. Both eigenvalues come from below, by
+/// about a percent.
 [[nodiscard]] StabilityLimit rk4_stability_limit(const System& system, const State& all);
 
 /// Largest stable step for one mode with frequency ω [1/s] and damping rate c [1/s].

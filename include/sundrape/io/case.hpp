@@ -156,7 +156,7 @@ struct DynamicsCase {
   IntegratorKind integrator = IntegratorKind::cvode;
   double duration = 0;  // [s]
   double rtol = 1e-4;
-  std::optional<double> atol_position;  // [m]; default 0.1 rtol L
+  std::optional<double> atol_position;  // [m]; default 0.25 rtol L
   std::optional<double> atol_velocity;  // [m/s]; default 0.01 √(g L)
   int max_order = 2;
   std::optional<double> step, max_step, first_step;  // [s]
@@ -167,7 +167,7 @@ struct DynamicsCase {
 struct RelaxationCase {
   double tolerance = 1e-6;          // on |out-of-balance force| / |external force|
   std::string scheme = "implicit";  // implicit | chapter
-  int max_iterations = 2000;
+  std::optional<int> max_iterations;  // default 2000; of the chapter's scheme 1,000,000
   std::optional<double> first_step;  // [s]
   double growth = 1.3;
   std::string linear_solver = "auto";

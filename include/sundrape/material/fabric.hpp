@@ -29,7 +29,8 @@ struct Fabric {
   } net;
 };
 
-/// Isotropic resultants from E [Pa], ν and h [m]: E h, G h = E h / (2 (1 + ν)), E h³ / (12 (1 − ν²)) (chapter (40), (45), (46)).
+/// Isotropic resultants from E [Pa], ν and h [m]: E h (chapter (38)), G h = E h / (2 (1 + ν)) (40), and
+/// E h³ / (12 (1 − ν²)) ((45) with I from (46)).
 /// @throws std::invalid_argument  unless E > 0, h > 0, 0 ≤ ν < 0.5, area_density > 0
 [[nodiscard]] Fabric isotropic_fabric(double youngs_modulus, double poisson, double thickness, double area_density);
 

@@ -46,7 +46,8 @@ struct RelaxationResult {
 /// Each iteration is a linearly implicit Euler step of the undamped system, (M/h² + K) Δq = f(q) + M v/h, v = Δq/h, with
 /// kinetic damping: rates are zeroed when the force does negative work on them. h grows by `growth`; a step is refused
 /// and h cut where the matrix is not positive definite or the residual jumps 300-fold. While M/h² matters the motion is
-/// downhill, so it leaves saddles; when it no longer does, the last steps converge quadratically.
+/// downhill, so it leaves saddles (but not a symmetric path: start from a wavy sheet); when it no longer does, the last
+/// steps converge quadratically.
 [[nodiscard]] RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options, Vector& q, RelaxationObserver& observer);
 
 /// |Σ f| over the unknowns, relative to the external force (or force_scale where that vanishes).

@@ -6,7 +6,8 @@
 
 namespace sundrape {
 
-/// The Newton system of an implicit integrator with the rates eliminated: half the unknowns, and symmetric.
+/// The Newton system of an implicit integrator with the rates eliminated: half the unknowns, and symmetric for forces
+/// that have an energy.
 ///
 /// With y = (q, v) an implicit step solves, for c = c_j (IDA) or 1/γ (CVODE),
 ///     c Δq − Δv = r_q,    c M Δv + K Δq + C Δv = r_v,    K = −∂f/∂q, C = −∂f/∂v,
@@ -24,6 +25,8 @@ class CondensedNewton {
 
   /// Assembles and factors c² M + c C + K at a state of the unknowns (rows, 3n).
   FactorStatus prepare(double time, double c, ConstVectorRef q, ConstVectorRef v);
+  /// Tells the forces [N] over the unknowns where the matrix was assembled, if they are at hand: it saves evaluating them.
+  void know_forces(ConstVectorRef rows);
   /// All vectors are rows, 3n; r_v is a force [N], r_q a rate [m/s].
   SolveReport solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv);
 
@@ -40,9 +43,9 @@ class CondensedNewton {
   BlockMatrix matrix_;
   double tolerance_, c_ = 0, time_ = 0;
   Vector q_, v_;                              // all points, where the matrix was assembled
-  Vector shifted_v_, force_, shifted_force_;  // all points, work
-  bool force_known_ = false;                  // force_ is that where the matrix was assembled
-  Vector right_side_;                         // rows
+  Vector shifted_v_, work_;      // all points, work
+  Vector right_side_, force_;    // rows
+  bool force_known_ = false;     // force_ is that where the matrix was assembled
   Counters counters_;
 };
 

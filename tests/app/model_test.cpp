@@ -1,0 +1,96 @@
+#include "sundrape/app/model.hpp"
+
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "sample_cases.hpp"
+
+namespace sundrape {
+namespace {
+
+using samples::sheet_case;
+using samples::sheet_weight;
+
+const std::string hung = "[[fix]]\nnodes = \"left\"\ncomponents = [\"x\", \"y\", \"z\"]\n";
+
+TEST(Model, HasTheMassOfTheSheetAndItsSize) {
+  const auto model = samples::model_of(sheet_case(""));
+  EXPECT_EQ(model.mesh.nodes(), 20);
+  EXPECT_NEAR(model.system->mass().sum(), 0.2 * 0.08 * 0.06, 1e-12);
+  EXPECT_NEAR(model.weight, sheet_weight, 1e-9);
+  EXPECT_DOUBLE_EQ(model.size, 0.08);
+}
+
+TEST(Model, IsPlacedByTurningFirst) {
+  const auto model = samples::model_of(sheet_case("",
+                                                  "shape = \"rectangle\"\nsize = [0.08, 0.06]\ncells = [4, "
+                                                  "3]\nwaviness = { amplitude = 0 }\nplace = { translate = [1, 0, 0], "
+                                                  "rotate = { axis = [0, 1, 0], angle = \"90 deg\" } }"));
+  for (int i = 0; i < model.mesh.nodes(); ++i) {
+    const auto& rest = model.mesh.reference[static_cast<std::size_t>(i)];
+    EXPECT_LT((point(model.initial, i) - Vector3(1, rest.y(), -rest.x())).norm(), 1e-15);
+  }
+}
+
+TEST(Model, HeldNodesStartWithoutWaviness) {
+  const auto model = samples::model_of(
+      sheet_case(hung, "shape = \"rectangle\"\nsize = [0.08, 0.06]\ncells = [4, 3]\nwaviness = { amplitude = 1e-3 }"));
+  double largest = 0;
+  for (int i = 0; i < model.mesh.nodes(); ++i) {
+    const double height = std::abs(point(model.initial, i).z());
+    if (model.mesh.reference[static_cast<std::size_t>(i)].x() < -0.039)
+      EXPECT_EQ(height, 0);
+    else
+      largest = std::max(largest, height);
+  }
+  EXPECT_GT(largest, 1e-4);
+}
+
+TEST(Model, TakesItsMeshAndItsNodeSetsFromAFileBesideTheCase) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "sundrape_model_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "sheet.obj")
+      << "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 20 0 0\nv 20 10 0\ng hem\nf 1 2 3 4\ng rest\nf 2 5 6 3\n";
+  const auto model = samples::model_of(
+      sheet_case("[[fix]]\nnodes = \"hem\"\n", "shape = \"mesh\"\nfile = \"sheet.obj\"\nunits = \"cm\""),
+      folder / "CASE.toml");
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(model.mesh.nodes(), 6);
+  EXPECT_EQ(model.system->unknowns().rows(), 2);  // the hem has four nodes
+  EXPECT_NEAR(model.system->mass().sum(), 0.2 * 0.2 * 0.1, 1e-12);
+  EXPECT_EQ(model.reactions.at(0).name, "hem");
+}
+
+TEST(Model, ItsSupportCarriesTheWeightOfAHangingSheet) {
+  const auto model = samples::model_of(sheet_case(hung));
+  const Vector q = samples::equilibrium(model, 1e-7), still = Vector::Zero(q.size());
+  const Vector3 carried = reaction(*model.system, {0, q, still}, model.reactions.at(0).nodes);
+  EXPECT_NEAR(carried.z() / sheet_weight, -1, 1e-4);  // the cloth pulls its support down
+  EXPECT_LT(std::hypot(carried.x(), carried.y()), 1e-4 * sheet_weight);
+}
+
+TEST(Model, TheFloorCarriesTheWeightOfASheetAtRest) {
+  const auto model = samples::model_of(sheet_case(
+      "[[fix]]\nnodes = { near = [0, 0, 0] }\ncomponents = [\"x\", \"y\"]\n[[obstacle]]\nkind = \"plane\"\n"));
+  const Vector q = samples::equilibrium(model, 1e-7), still = Vector::Zero(q.size());
+  const auto report = model.contact->report({0, q, still});
+  EXPECT_NEAR(report.total_forces.at(0).z() / sheet_weight, 1, 1e-4);
+  EXPECT_EQ(report.contacts, 20);
+  EXPECT_LT(report.deepest_penetration, 0.05e-3);  // a tenth of the thickness, which is what the stiffness is for
+}
+
+TEST(Model, StaticLoadsHaveTheirFullSizeWhateverTheirRamp) {
+  const auto at_start = [](const std::string& more) {
+    const auto model = samples::model_of(sheet_case(hung + more));
+    const Vector still = Vector::Zero(model.initial.size());
+    return model.system->external_force_norm({0, model.initial, still});
+  };
+  const std::string force = "[[load]]\nkind = \"force\"\nnodes = \"right\"\ntotal = [0, 1, 0]\n";
+  EXPECT_GT(at_start(force), 0.1);
+  EXPECT_DOUBLE_EQ(at_start(force + "ramp = \"1 s\"\n"), at_start(force));
+}
+
+}  // namespace
+}  // namespace sundrape
