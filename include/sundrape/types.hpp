@@ -14,9 +14,9 @@ using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 /// Shapes: q and v hold one 3-vector a point, 3P in all; point i owns entries 3i, 3i+1, 3i+2.
 /// The points of a particle net are its nodes.
 struct State {
-  double time;        // [s]
-  ConstVectorRef q;   // coordinates [m]
-  ConstVectorRef v;   // their rates [m/s]
+  double time;       // [s]
+  ConstVectorRef q;  // coordinates [m]
+  ConstVectorRef v;  // their rates [m/s]
 };
 
 /// The 3-vector that belongs to point i, as something to read or to write.

@@ -1,14 +1,13 @@
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/interrupt.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/integrate/impact.hpp"
 #include "sundrape/integrate/stability_limit.hpp"
-#include "sundrape/io/case_error.hpp"
 
 namespace sundrape {
 namespace {
@@ -18,10 +17,11 @@ using Clock = std::chrono::steady_clock;
 SolverKind solver_kind(const std::string& name) {
   if (name == "cholesky") return SolverKind::cholesky;
   if (name == "lu") return SolverKind::lu;
-  return SolverKind::conjugate_gradients;   // wins at every size while mass matters; "auto"
+  return SolverKind::conjugate_gradients;  // wins at every size while mass matters; "auto"
 }
 
-/// Error weights' absolute parts (docs/integrators.md): a quarter of rtol of the sheet's size; 100 rtol √(g L), at most 0.01 √(g L).
+/// Error weights' absolute parts (docs/integrators.md): a quarter of rtol of the sheet's size; 100 rtol √(g L), at most
+/// 0.01 √(g L).
 IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   const auto& d = c.dynamics;
   IntegratorOptions o;
@@ -34,19 +34,26 @@ IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   return o;
 }
 
-std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& model, EventSource* events, Recorder& recorder, Progress& progress) {
+std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& model, EventSource* events,
+                                            Recorder& recorder, Progress& progress) {
   auto options = integrator_options(c, model);
   const auto& d = c.dynamics;
   if (d.integrator == IntegratorKind::rk4) {
     const Vector still = Vector::Zero(model.initial.size());
-    const auto limit = rk4_stability_limit(*model.system, {0, model.initial, still});
-    recorder.statistic("rk4_stable_step_s", limit.step, "largest stable step of the Runge-Kutta method, from the stiffest mode of the start [s]");
-    recorder.statistic("stiffest_angular_frequency_per_s", limit.angular_frequency, "of the stiffest mode of the start [1/s]");
+    const double contact_rate = model.contact ? std::sqrt(model.contact->law().stiffness() / c.fabric.area_density) : 0.0;
+    const auto limit = rk4_stability_limit(*model.system, {0, model.initial, still}, contact_rate);
+    recorder.statistic("rk4_stable_step_s", limit.step,
+                       "largest stable step of the Runge-Kutta method, from the stiffest mode of the start [s]");
+    recorder.statistic("stiffest_angular_frequency_per_s", limit.angular_frequency,
+                       "of the stiffest mode of the start [1/s]");
     options.fixed_step = d.step.value_or(0.8 * limit.step);
-    progress.say(fmt::format("RK4: stable up to a step of {:.3g} s (stiffest mode {:.4g} rad/s, damping rate {:.4g} 1/s); taking {:.3g} s", limit.step,
-                             limit.angular_frequency, limit.damping_rate, options.fixed_step));
+    progress.say(fmt::format(
+        "RK4: stable up to a step of {:.3g} s (stiffest mode {:.4g} rad/s, damping rate {:.4g} 1/s); taking {:.3g} s",
+        limit.step, limit.angular_frequency, limit.damping_rate, options.fixed_step));
     if (options.fixed_step > limit.step)
-      recorder.warn(fmt::format("dynamics.step = {:.3g} s is above the stability limit of {:.3g} s: the motion will blow up", options.fixed_step, limit.step));
+      recorder.warn(
+          fmt::format("dynamics.step = {:.3g} s is above the stability limit of {:.3g} s: the motion will blow up",
+                      options.fixed_step, limit.step));
     return make_rk4(*model.system, options, events);
   }
   auto solver = make_linear_solver(solver_kind(d.linear_solver));
@@ -57,7 +64,8 @@ std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& mode
 /// Every number that an integrator counts, in the order that checkpoints have.
 template <class Statistics, class Visit>
 void visit_totals(Statistics& s, Visit&& visit) {
-  visit(s.steps), visit(s.force_evaluations), visit(s.newton_iterations), visit(s.error_test_failures), visit(s.step_solve_failures), visit(s.restarts);
+  visit(s.steps), visit(s.force_evaluations), visit(s.newton_iterations), visit(s.error_test_failures),
+      visit(s.step_solve_failures), visit(s.restarts);
   visit(s.linear.factorizations), visit(s.linear.solves), visit(s.linear.linear_iterations), visit(s.linear.failures);
   visit(s.linear.assembly_seconds), visit(s.linear.factor_seconds), visit(s.linear.solve_seconds);
 }
@@ -80,7 +88,12 @@ std::vector<double> as_list(const IntegratorStatistics& s) {
 class Watch final : public DynamicsObserver {
  public:
   Watch(const Case& c, const Integrator& integrator, Recorder& recorder, Progress& progress)
-      : case_(c), integrator_(integrator), recorder_(recorder), progress_(progress), start_(Clock::now()), last_checkpoint_(start_) {
+      : case_(c),
+        integrator_(integrator),
+        recorder_(recorder),
+        progress_(progress),
+        start_(Clock::now()),
+        last_checkpoint_(start_) {
     if (recorder.restart()) last_step_size_ = recorder.restart()->step_size;
   }
 
@@ -104,27 +117,34 @@ class Watch final : public DynamicsObserver {
                            {"convergence_failures", since(s.step_solve_failures, solve_failures_)},
                            {"contacts", contact.contacts}});
     last_step_size_ = report.step_size;
-    if (!checkpoint_written_ || std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() > case_.output.checkpoint_every) checkpoint();
+    if (!checkpoint_written_ ||
+        std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() > case_.output.checkpoint_every)
+      checkpoint();
     if (progress_.due())
-      progress_.show(fmt::format("t = {:.4f} s, step {:.2e} s, order {}, {} steps, {} Newton iterations, {} contacts", report.time, report.step_size, report.order,
-                                 s.steps, s.newton_iterations, contact.contacts),
-                     report.time / case_.output.frame_times.back());
+      progress_.show(
+          fmt::format("t = {:.4f} s, step {:.2e} s, order {}, {} steps, {} Newton iterations, {} contacts", report.time,
+                      report.step_size, report.order, s.steps, s.newton_iterations, contact.contacts),
+          report.time / case_.output.frame_times.back());
   }
 
   [[nodiscard]] bool wants_to_stop() override {
-    if (case_.dynamics.time_limit && std::chrono::duration<double>(Clock::now() - start_).count() > *case_.dynamics.time_limit) out_of_time_ = true;
+    if (case_.dynamics.time_limit &&
+        std::chrono::duration<double>(Clock::now() - start_).count() > *case_.dynamics.time_limit)
+      out_of_time_ = true;
     return out_of_time_ || InterruptGuard::requested();
   }
   [[nodiscard]] bool out_of_time() const { return out_of_time_; }
 
   void checkpoint() {
     const auto at = dynamics_->last();
-    recorder_.checkpoint(at, dynamics_->audit().at(at), dynamics_->audit().initial_energy(), last_step_size_, as_list(since_the_start(integrator_.statistics(), recorder_.restart())));
+    recorder_.checkpoint(at, dynamics_->audit().at(at), dynamics_->audit().initial_energy(), last_step_size_,
+                         as_list(since_the_start(integrator_.statistics(), recorder_.restart())));
     checkpoint_written_ = true;
     last_checkpoint_ = Clock::now();
   }
 
-  /// Where a failed run ended, to look at; not part of the checkpoint, so that a resumed run has frames at its frame times only.
+  /// Where a failed run ended, to look at; not part of the checkpoint, so that a resumed run has frames at its frame
+  /// times only.
   void frame_of_failure() {
     const auto at = dynamics_->last();
     if (at.time > last_frame_) frame(at, dynamics_->audit().at(at));
@@ -143,7 +163,9 @@ class Watch final : public DynamicsObserver {
 };
 
 void record_statistics(const IntegratorStatistics& s, const EnergyAudit::Balance& balance, Recorder& recorder) {
-  const auto integer = [&](const char* name, long value, const char* description) { recorder.statistic(name, static_cast<std::int64_t>(value), description); };
+  const auto integer = [&](const char* name, long value, const char* description) {
+    recorder.statistic(name, static_cast<std::int64_t>(value), description);
+  };
   integer("steps", s.steps, "accepted steps of the integrator");
   integer("force_evaluations", s.force_evaluations, "evaluations of all forces by the integrator");
   integer("newton_iterations", s.newton_iterations, "iterations of Newton's method");
@@ -156,7 +178,8 @@ void record_statistics(const IntegratorStatistics& s, const EnergyAudit::Balance
   recorder.statistic("assembly_seconds", s.linear.assembly_seconds, "wall-clock time in assembling tangents [s]");
   recorder.statistic("factor_seconds", s.linear.factor_seconds, "wall-clock time in factoring [s]");
   recorder.statistic("solve_seconds", s.linear.solve_seconds, "wall-clock time in linear solves [s]");
-  recorder.statistic("method_dissipated_J", balance.method_dissipated, "energy that the integration method itself lost (gained, if negative) [J]");
+  recorder.statistic("method_dissipated_J", balance.method_dissipated,
+                     "energy that the integration method itself lost (gained, if negative) [J]");
 }
 
 }  // namespace
@@ -164,7 +187,8 @@ void record_statistics(const IntegratorStatistics& s, const EnergyAudit::Balance
 AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress) {
   std::unique_ptr<Impact> impact;
   if (c.contact.restitution && model.contact)
-    impact = std::make_unique<Impact>(*model.contact, model.system->mass(), *c.contact.restitution, c.contact.restitution_speed);
+    impact = std::make_unique<Impact>(*model.contact, model.system->mass(), *c.contact.restitution,
+                                      c.contact.restitution_speed);
   const auto integrator = make_integrator(c, model, impact.get(), recorder, progress);
   Watch watch(c, *integrator, recorder, progress);
   Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get());
@@ -182,10 +206,13 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
       how = dynamics.run(0, model.initial, Vector::Zero(model.initial.size()), true);
     }
     if (how == DynamicsEnd::stopped && watch.out_of_time())
-      end = {ResultStatus::failed, fmt::format("time limit of {:g} s reached at t = {:.6g} s: continue with --resume, or raise dynamics.time_limit",
-                                               *c.dynamics.time_limit, dynamics.last().time)};
+      end = {ResultStatus::failed,
+             fmt::format(
+                 "time limit of {:g} s reached at t = {:.6g} s: continue with --resume, or raise dynamics.time_limit",
+                 *c.dynamics.time_limit, dynamics.last().time)};
     else if (how == DynamicsEnd::stopped)
-      end = {ResultStatus::interrupted, fmt::format("interrupted at t = {:.6g} s: continue with --resume", dynamics.last().time)};
+      end = {ResultStatus::interrupted,
+             fmt::format("interrupted at t = {:.6g} s: continue with --resume", dynamics.last().time)};
   } catch (const IntegrationFailure& failure) {
     end = {ResultStatus::failed, failure.what()};
     failed = true;

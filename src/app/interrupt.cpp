@@ -6,7 +6,7 @@
 namespace sundrape {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;   // a signal handler can reach nothing else
+volatile std::sig_atomic_t interrupted = 0;  // a signal handler can reach nothing else
 
 extern "C" void remember(int signal) {
   interrupted = 1;
@@ -18,7 +18,7 @@ extern "C" void remember(int signal) {
 InterruptGuard::InterruptGuard() {
   interrupted = 0;
   for (const int signal : {SIGINT, SIGTERM})
-    if (std::signal(signal, remember) == SIG_IGN) std::signal(signal, SIG_IGN);   // nohup and the like
+    if (std::signal(signal, remember) == SIG_IGN) std::signal(signal, SIG_IGN);  // nohup and the like
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -1,7 +1,7 @@
-#include <fmt/format.h>
+#include <iostream>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "sundrape/app/check.hpp"
@@ -24,7 +24,9 @@ class CommandLine {
   CommandLine() {
     app_.set_version_flag("--version", "sundrape " + sundrape::version());
     app_.require_subcommand(1);
-    app_.footer("Exit status: 0 done, 1 the analysis failed, 2 bad command line or case, 3 file trouble, 130 interrupted after a checkpoint.");
+    app_.footer(
+        "Exit status: 0 done, 1 the analysis failed, 2 bad command line or case, 3 file trouble, 130 interrupted after "
+        "a checkpoint.");
     add_run();
     add_check();
     add_info();
@@ -47,10 +49,13 @@ class CommandLine {
   void add_run() {
     auto* verb = app_.add_subcommand("run", "Run one case, whichever analysis it names, and write its result");
     verb->add_option("CASE", run_.case_file, "case file (TOML)")->required();
-    verb->add_option("-o,--output", run_.output, "result file (HDF5); default: the case's name with .h5, in the current folder");
+    verb->add_option("-o,--output", run_.output,
+                     "result file (HDF5); default: the case's name with .h5, in the current folder");
     verb->add_option("--set", run_.sets, set_help)->allow_extra_args(false);
-    verb->add_option("--resume", run_.resume, "go on from the checkpoint of an earlier result; without -o that file is continued");
-    verb->add_option("--threads", run_.threads, "threads for assembly; more than one pays from some 10,000 nodes on")->check(CLI::Range(1, 1024));
+    verb->add_option("--resume", run_.resume,
+                     "go on from the checkpoint of an earlier result; without -o that file is continued");
+    verb->add_option("--threads", run_.threads, "threads for assembly; more than one pays from some 10,000 nodes on")
+        ->check(CLI::Range(1, 1024));
     verb->add_option("--summary", run_.summary, "write totals, final energies, extremes and times to this JSON file");
     verb->add_flag("--force", run_.overwrite, "overwrite an existing result");
     auto* quiet = verb->add_flag("--quiet", quiet_, "print nothing but errors");
@@ -63,14 +68,16 @@ class CommandLine {
   }
 
   void add_check() {
-    auto* verb = app_.add_subcommand("check", "Parse a case, print every resolved value in SI and estimate its size; runs nothing");
+    auto* verb = app_.add_subcommand(
+        "check", "Parse a case, print every resolved value in SI and estimate its size; runs nothing");
     verb->add_option("CASE", run_.case_file, "case file (TOML)")->required();
     verb->add_option("--set", run_.sets, set_help)->allow_extra_args(false);
     verb->callback([this] { std::cout << sundrape::check_case(run_.case_file, run_.sets); });
   }
 
   void add_info() {
-    auto* verb = app_.add_subcommand("info", "Say what is in a result: case, mesh, frames, energies, statistics, warnings");
+    auto* verb =
+        app_.add_subcommand("info", "Say what is in a result: case, mesh, frames, energies, statistics, warnings");
     verb->add_option("RESULT", a_, "result file (HDF5)")->required();
     verb->add_flag("--json", json_, "as JSON");
     verb->callback([this] {
@@ -80,7 +87,8 @@ class CommandLine {
   }
 
   void add_compare() {
-    auto* verb = app_.add_subcommand("compare", "Compare two results on the same mesh: node distances, energies, time series");
+    auto* verb =
+        app_.add_subcommand("compare", "Compare two results on the same mesh: node distances, energies, time series");
     verb->add_option("A", a_, "result file (HDF5)")->required();
     verb->add_option("B", b_, "result file (HDF5)")->required();
     verb->add_flag("--json", json_, "as JSON");

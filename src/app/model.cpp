@@ -1,10 +1,9 @@
 #include "sundrape/app/model.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 #include "sundrape/app/obstacles.hpp"
 #include "sundrape/force/dead_load.hpp"
@@ -23,26 +22,30 @@ template <class... Visitors>
 struct Overload : Visitors... {
   using Visitors::operator()...;
 };
+template <class... Visitors>
+Overload(Visitors...) -> Overload<Visitors...>;  // clang deduces it by itself from version 17 on
 
 QuadMesh build_mesh(const ClothCase& cloth) {
-  return std::visit(Overload{[](const RectangleShape& s) { return rectangle(s.length, s.width, s.cells_warp, s.cells_weft); },
-                             [](const DiscShape& s) { return disc(s.radius, s.cells); },
-                             [](const AnnulusShape& s) { return annulus(s.inner_radius, s.outer_radius, s.cells_radial, s.cells_around); },
-                             [](const MeshShape& s) {
-                               try {
-                                 return read_obj(s.file, s.unit);
-                               } catch (const std::exception& problem) {
-                                 throw CaseError(s.source, problem.what());
-                               }
-                             }},
-                    cloth.shape);
+  return std::visit(
+      Overload{
+          [](const RectangleShape& s) { return rectangle(s.length, s.width, s.cells_warp, s.cells_weft); },
+          [](const DiscShape& s) { return disc(s.radius, s.cells); },
+          [](const AnnulusShape& s) { return annulus(s.inner_radius, s.outer_radius, s.cells_radial, s.cells_around); },
+          [](const MeshShape& s) {
+            try {
+              return read_obj(s.file, s.unit);
+            } catch (const std::exception& problem) {
+              throw CaseError(s.source, problem.what());
+            }
+          }},
+      cloth.shape);
 }
 
 std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
   const Eigen::AngleAxisd turn(place.angle, place.axis.normalized());
   std::vector<Vector3> placed;
   placed.reserve(rest.size());
-  for (const auto& x : rest) placed.push_back(turn * x + place.translate);
+  for (const auto& x : rest) placed.emplace_back(turn * x + place.translate);
   return placed;
 }
 
@@ -52,7 +55,8 @@ Vector flatten(const std::vector<Vector3>& positions) {
   return q;
 }
 
-std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std::vector<Vector3>& placed, const SourceLine& source) {
+std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std::vector<Vector3>& placed,
+                      const SourceLine& source) {
   std::vector<int> nodes;
   try {
     nodes = select(selector, mesh, placed);
@@ -92,37 +96,47 @@ Vector equal_shares(const std::vector<int>& nodes, const Vector3& total, int poi
 
 using Terms = std::vector<std::unique_ptr<ForceTerm>>;
 
-void add_loads(const Case& c, CaseModel& model, const Threads& threads, const std::vector<Vector3>& placed, const Vector& mass, Terms& terms) {
+void add_loads(const Case& c, CaseModel& model, const Threads& threads, const std::vector<Vector3>& placed,
+               const Vector& mass, Terms& terms) {
   Vector3 gravity = Vector3::Zero();
   for (const auto& load : c.loads) {
-    const Ramp ramp{c.analysis == Analysis::dynamics ? load.ramp : 0};   // statics knows no time: loads have their full size
-    std::visit(Overload{[&](const GravityLoad& g) {
-                          gravity += g.acceleration;
-                          terms.push_back(std::make_unique<DeadLoad>("gravity", EnergyKind::gravity, weight(mass, g.acceleration), ramp));
-                        },
-                        [&](const ForceLoad& f) {
-                          const auto nodes = pick(f.nodes, model.mesh, placed, load.source);
-                          terms.push_back(std::make_unique<DeadLoad>("force", EnergyKind::load, equal_shares(nodes, f.total, model.mesh.nodes()), ramp));
-                        },
-                        [&](const TractionLoad& t) {
-                          const auto nodes = pick(t.nodes, model.mesh, placed, load.source);
-                          const auto lengths = tributary_edge_lengths(model.mesh, nodes);
-                          Vector forces = Vector::Zero(3 * static_cast<Eigen::Index>(model.mesh.nodes()));
-                          for (const int n : nodes) point(forces, n) = lengths[static_cast<std::size_t>(n)] * t.per_length;
-                          if (std::ranges::all_of(lengths, [](double l) { return l == 0; }))
-                            throw CaseError(load.source, "a traction needs nodes along an edge of the cloth; no boundary edge has both its ends among these");
-                          terms.push_back(std::make_unique<DeadLoad>("traction", EnergyKind::load, std::move(forces), ramp));
-                        },
-                        [&](const MomentLoad& m) {
-                          const auto nodes = pick(m.nodes, model.mesh, placed, load.source);
-                          try {
-                            terms.push_back(std::make_unique<EdgeMoment>(moment_on_edge(model.mesh, threads, nodes, m.total), ramp));
-                          } catch (const std::invalid_argument& problem) {
-                            throw CaseError(load.source, problem.what());
-                          }
-                        },
-                        [&](const PressureLoad& p) { terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, ramp)); }},
-               load.load);
+    const Ramp ramp{c.analysis == Analysis::dynamics ? load.ramp
+                                                     : 0};  // statics knows no time: loads have their full size
+    std::visit(
+        Overload{[&](const GravityLoad& g) {
+                   gravity += g.acceleration;
+                   terms.push_back(
+                       std::make_unique<DeadLoad>("gravity", EnergyKind::gravity, weight(mass, g.acceleration), ramp));
+                 },
+                 [&](const ForceLoad& f) {
+                   const auto nodes = pick(f.nodes, model.mesh, placed, load.source);
+                   terms.push_back(std::make_unique<DeadLoad>("force", EnergyKind::load,
+                                                              equal_shares(nodes, f.total, model.mesh.nodes()), ramp));
+                 },
+                 [&](const TractionLoad& t) {
+                   const auto nodes = pick(t.nodes, model.mesh, placed, load.source);
+                   const auto lengths = tributary_edge_lengths(model.mesh, nodes);
+                   Vector forces = Vector::Zero(3 * static_cast<Eigen::Index>(model.mesh.nodes()));
+                   for (const int n : nodes) point(forces, n) = lengths[static_cast<std::size_t>(n)] * t.per_length;
+                   if (std::ranges::all_of(lengths, [](double l) { return l == 0; }))
+                     throw CaseError(load.source,
+                                     "a traction needs nodes along an edge of the cloth; no boundary edge has both its "
+                                     "ends among these");
+                   terms.push_back(std::make_unique<DeadLoad>("traction", EnergyKind::load, std::move(forces), ramp));
+                 },
+                 [&](const MomentLoad& m) {
+                   const auto nodes = pick(m.nodes, model.mesh, placed, load.source);
+                   try {
+                     terms.push_back(
+                         std::make_unique<EdgeMoment>(moment_on_edge(model.mesh, threads, nodes, m.total), ramp));
+                   } catch (const std::invalid_argument& problem) {
+                     throw CaseError(load.source, problem.what());
+                   }
+                 },
+                 [&](const PressureLoad& p) {
+                   terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, ramp));
+                 }},
+        load.load);
   }
   model.weight = mass.sum() * gravity.norm();
   model.gravity = gravity.norm() > 0 ? gravity.norm() : 9.80665;
@@ -137,10 +151,15 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
     model.obstacles.push_back(std::move(built.record));
   }
   const double weight_per_area = c.fabric.area_density * model.gravity;
-  const double half_bending_length = 0.5 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / weight_per_area);
+  const double half_bending_length =
+      0.5 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / weight_per_area);
   const double stiffness = c.contact.stiffness.value_or(
-      suggested_stiffness({.weight_per_area = weight_per_area, .diagonal = diagonal(model.mesh), .spread = std::max(mean_edge_length(model.mesh), half_bending_length)}, c.contact.penetration));
-  auto term = std::make_unique<ObstacleContact>(std::move(obstacles), tributary_areas(model.mesh), ContactLaw(stiffness, c.contact.smoothing));
+      suggested_stiffness({.weight_per_area = weight_per_area,
+                           .diagonal = diagonal(model.mesh),
+                           .spread = std::max(mean_edge_length(model.mesh), half_bending_length)},
+                          c.contact.penetration));
+  auto term = std::make_unique<ObstacleContact>(std::move(obstacles), tributary_areas(model.mesh),
+                                                ContactLaw(stiffness, c.contact.smoothing));
   model.contact = term.get();
   terms.push_back(std::move(term));
 }
@@ -153,7 +172,8 @@ double longest_side(const std::vector<Vector3>& positions) {
 
 /// Relaxation starts from a slightly imperfect sheet: a flat symmetric one ends on a saddle.
 double waviness(const Case& c, double thickness_scale) {
-  if (c.cloth.waviness_amplitude > 0 || c.cloth.waviness_given.value_or(false) || c.analysis != Analysis::relaxation) return c.cloth.waviness_amplitude;
+  if (c.cloth.waviness_amplitude > 0 || c.cloth.waviness_given.value_or(false) || c.analysis != Analysis::relaxation)
+    return c.cloth.waviness_amplitude;
   return std::min(1e-5, 0.02 * thickness_scale);
 }
 
@@ -166,7 +186,8 @@ CaseModel build_model(const Case& c) {
   const auto placed = place(model.mesh.reference, c.cloth.place);
   const auto threads = find_threads(model.mesh);
   const auto supports = support(c, model, placed);
-  for (const auto& probe : c.output.probes) model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
+  for (const auto& probe : c.output.probes)
+    model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
 
   const Vector mass = lumped_mass(model.mesh, c.fabric);
   auto terms = particle_net(model.mesh, threads, c.fabric, placed, supports.clamped);
@@ -183,7 +204,8 @@ CaseModel build_model(const Case& c) {
       if (supports.held[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
   model.initial = flatten(start);
   Unknowns unknowns(supports.held);
-  if (unknowns.rows() == 0) throw CaseError(c.fixes.front().source, "every node of the cloth is held: nothing is left to move");
+  if (unknowns.rows() == 0)
+    throw CaseError(c.fixes.front().source, "every node of the cloth is held: nothing is left to move");
   model.system = std::make_unique<System>(mass, std::move(terms), std::move(unknowns), model.initial);
   return model;
 }

@@ -1,10 +1,10 @@
 #include "sundrape/app/progress.hpp"
 
+#include <cstdio>
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <cstdio>
 
 namespace sundrape {
 namespace {
@@ -17,21 +17,24 @@ std::string left(double seconds) {
 
 }  // namespace
 
-Progress::Progress(Verbosity verbosity) : verbosity_(verbosity), terminal_(isatty(STDOUT_FILENO) == 1), start_(Clock::now()), last_(start_) {}
+Progress::Progress(Verbosity verbosity)
+    : verbosity_(verbosity), terminal_(isatty(STDOUT_FILENO) == 1), start_(Clock::now()), last_(start_) {}
 
 Progress::~Progress() { clear_line(); }
 
 bool Progress::due() const {
   if (verbosity_ == Verbosity::quiet) return false;
   using namespace std::chrono_literals;
-  return Clock::now() - last_ > (terminal_ || verbosity_ == Verbosity::verbose ? Clock::duration(200ms) : Clock::duration(5s));
+  return Clock::now() - last_ >
+         (terminal_ || verbosity_ == Verbosity::verbose ? Clock::duration(200ms) : Clock::duration(5s));
 }
 
 void Progress::show(const std::string& line, double fraction) {
   last_ = Clock::now();
   std::string text = line;
   const double elapsed = std::chrono::duration<double>(last_ - start_).count();
-  if (fraction > 0.01) text += fmt::format(", {:.0f} % done, {} left", 100 * fraction, left(elapsed * (1 - fraction) / fraction));
+  if (fraction > 0.01)
+    text += fmt::format(", {:.0f} % done, {} left", 100 * fraction, left(elapsed * (1 - fraction) / fraction));
   if (terminal_) {
     fmt::print("\r\033[K{}", text);
     line_open_ = true;

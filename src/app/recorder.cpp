@@ -1,10 +1,10 @@
 #include "sundrape/app/recorder.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "sundrape/io/file_error.hpp"
 #include "sundrape/io/result_layout.hpp"
@@ -15,7 +15,8 @@
 namespace sundrape {
 namespace {
 
-ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepColumn> columns, std::uint64_t expected_frames) {
+ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepColumn> columns,
+                       std::uint64_t expected_frames) {
   ResultHeader h;
   h.title = c.title;
   h.model = "particle";
@@ -31,7 +32,9 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
   return h;
 }
 
-Vector as_vector(const std::vector<double>& values) { return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())); }
+Vector as_vector(const std::vector<double>& values) {
+  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 std::vector<double> as_list(ConstVectorRef v) { return {v.data(), v.data() + v.size()}; }
 
 Recorder::Restart read_restart(const ResultReader& earlier, const std::filesystem::path& file, Eigen::Index size) {
@@ -46,19 +49,34 @@ Recorder::Restart read_restart(const ResultReader& earlier, const std::filesyste
   const auto& books = get("books");
   const auto& extremes = get("extremes");
   const auto& times = get("run_seconds");
-  Recorder::Restart r{.time = get("time").at(0), .q = as_vector(get("q")), .v = as_vector(get("v")), .balance = {}, .initial_energy = books.at(2), .step_size = books.at(3), .totals = get("totals"), .extremes = {}, .wall = times.at(0), .cpu = times.at(1)};
-  if (r.q.size() != size || r.v.size() != size) throw FileError(file.string() + ": its checkpoint belongs to another mesh");
+  Recorder::Restart r{.time = get("time").at(0),
+                      .q = as_vector(get("q")),
+                      .v = as_vector(get("v")),
+                      .balance = {},
+                      .initial_energy = books.at(2),
+                      .step_size = books.at(3),
+                      .totals = get("totals"),
+                      .extremes = {},
+                      .wall = times.at(0),
+                      .cpu = times.at(1)};
+  if (r.q.size() != size || r.v.size() != size)
+    throw FileError(file.string() + ": its checkpoint belongs to another mesh");
   r.balance.dissipated = books.at(0);
   r.balance.external_work = books.at(1);
-  r.extremes = {.largest_edge_strain = extremes.at(0), .smallest_edge_strain = extremes.at(1), .deepest_penetration = extremes.at(2), .sharpest_bend = extremes.at(3)};
+  r.extremes = {.largest_edge_strain = extremes.at(0),
+                .smallest_edge_strain = extremes.at(1),
+                .deepest_penetration = extremes.at(2),
+                .sharpest_bend = extremes.at(3)};
   return r;
 }
 
-ResultWriter open_writer(const ResultHeader& header, const Recorder::Files& files, std::optional<Recorder::Restart>& restart) {
+ResultWriter open_writer(const ResultHeader& header, const Recorder::Files& files,
+                         std::optional<Recorder::Restart>& restart) {
   if (!files.resume) return {files.output, header};
   const ResultReader earlier(*files.resume);
   if (earlier.analysis() != header.analysis)
-    throw FileError(fmt::format("{}: is the result of analysis = \"{}\", the case says \"{}\"", files.resume->string(), earlier.analysis(), header.analysis));
+    throw FileError(fmt::format(R"({}: is the result of analysis = "{}", the case says "{}")", files.resume->string(),
+                                earlier.analysis(), header.analysis));
   restart = read_restart(earlier, *files.resume, static_cast<Eigen::Index>(3 * header.mesh.reference.size()));
   return ResultWriter::resume(files.output, header, earlier);
 }
@@ -72,8 +90,15 @@ Frame last_frame(const ResultReader& result, const CaseModel& model) {
   const auto energy = [&](const char* name) { return energies.at(name).at(last); };
   f.variable = result.frame_values().at(last);
   f.contact_force = result.contact_force(last);
-  f.energies = {.kinetic = energy("kinetic"), .membrane = energy("membrane"), .shear = energy("shear"), .bending = energy("bending"), .gravity = energy("gravity"),
-                .contact = energy("contact"), .dissipated = energy("dissipated"), .external_work = energy("external_work"), .method_dissipated = energy("method_dissipated")};
+  f.energies = {.kinetic = energy("kinetic"),
+                .membrane = energy("membrane"),
+                .shear = energy("shear"),
+                .bending = energy("bending"),
+                .gravity = energy("gravity"),
+                .contact = energy("contact"),
+                .dissipated = energy("dissipated"),
+                .external_work = energy("external_work"),
+                .method_dissipated = energy("method_dissipated")};
   f.residual = result.residual().at(last);
   f.negative_pivots = static_cast<int>(result.negative_pivots().at(last));
   const auto reactions = result.reactions();
@@ -83,7 +108,8 @@ Frame last_frame(const ResultReader& result, const CaseModel& model) {
 
 }  // namespace
 
-Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns, std::uint64_t expected_frames, RunClock clock)
+Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns,
+                   std::uint64_t expected_frames, RunClock clock)
     : case_(c),
       model_(model),
       header_(header_of(c, model, std::move(columns), expected_frames)),
@@ -106,9 +132,17 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
   f.position = all.q;
   f.velocity = all.v;
   const auto& e = balance.energies;
-  f.energies = {.kinetic = e.kinetic, .membrane = e.membrane, .shear = e.shear, .bending = e.bending, .gravity = e.gravity, .contact = e.contact,
-                .dissipated = balance.dissipated, .external_work = balance.external_work, .method_dissipated = balance.method_dissipated};
-  f.residual = relative_residual(*model_.system, all, case_.fabric.area_density * model_.gravity * model_.size * model_.size);
+  f.energies = {.kinetic = e.kinetic,
+                .membrane = e.membrane,
+                .shear = e.shear,
+                .bending = e.bending,
+                .gravity = e.gravity,
+                .contact = e.contact,
+                .dissipated = balance.dissipated,
+                .external_work = balance.external_work,
+                .method_dissipated = balance.method_dissipated};
+  f.residual =
+      relative_residual(*model_.system, all, case_.fabric.area_density * model_.gravity * model_.size * model_.size);
   f.negative_pivots = negative_pivots.value_or(-1);
   if (model_.contact) {
     const Vector still = Vector::Zero(all.v.size());
@@ -131,15 +165,21 @@ ContactReport Recorder::step(const State& all) {
   if (!model_.probes.empty()) writer_.append_probes(all.time, all.q, all.v);
   if (!model_.contact) return {};
   auto report = model_.contact->report(all);
-  if (case_.analysis == Analysis::dynamics) extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
+  if (case_.analysis == Analysis::dynamics)
+    extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
   return report;
 }
 
-void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size, const std::vector<double>& totals) {
+void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy,
+                          double step_size, const std::vector<double>& totals) {
   const auto& e = extremes_;
   Checkpoint c;
-  c.arrays = {{"time", {all.time}}, {"q", as_list(all.q)}, {"v", as_list(all.v)}, {"books", {balance.dissipated, balance.external_work, initial_energy, step_size}},
-              {"totals", totals}, {"extremes", {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend}},
+  c.arrays = {{"time", {all.time}},
+              {"q", as_list(all.q)},
+              {"v", as_list(all.v)},
+              {"books", {balance.dissipated, balance.external_work, initial_energy, step_size}},
+              {"totals", totals},
+              {"extremes", {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend}},
               {"run_seconds", {clock_.wall(), clock_.cpu()}}};
   writer_.write_checkpoint(c);
 }
@@ -156,7 +196,11 @@ void Recorder::statistic(const std::string& name, StatisticValue value, const st
 }
 
 nlohmann::json Recorder::summary(const std::string& status, const std::string& message) const {
-  nlohmann::json j{{"title", case_.title}, {"model", header_.model}, {"analysis", header_.analysis}, {"status", status}, {"sundrape_version", header_.version}};
+  nlohmann::json j{{"title", case_.title},
+                   {"model", header_.model},
+                   {"analysis", header_.analysis},
+                   {"status", status},
+                   {"sundrape_version", header_.version}};
   if (!message.empty()) j["message"] = message;
   j["mesh"] = {{"nodes", model_.mesh.nodes()}, {"quads", model_.mesh.quads.size()}};
   j["frames"] = writer_.frames();
@@ -165,15 +209,23 @@ nlohmann::json Recorder::summary(const std::string& status, const std::string& m
                 {"residual", last_.residual},
                 {"negative_pivots", last_.negative_pivots},
                 {"energy_J",
-                 {{"kinetic", e.kinetic}, {"membrane", e.membrane}, {"shear", e.shear}, {"bending", e.bending}, {"gravity", e.gravity}, {"contact", e.contact},
-                  {"dissipated", e.dissipated}, {"external_work", e.external_work}, {"method_dissipated", e.method_dissipated}}}};
+                 {{"kinetic", e.kinetic},
+                  {"membrane", e.membrane},
+                  {"shear", e.shear},
+                  {"bending", e.bending},
+                  {"gravity", e.gravity},
+                  {"contact", e.contact},
+                  {"dissipated", e.dissipated},
+                  {"external_work", e.external_work},
+                  {"method_dissipated", e.method_dissipated}}}};
   if (last_.contact_force.size() > 0) {
     Vector3 sum = Vector3::Zero();
     for (int i = 0; i < model_.mesh.nodes(); ++i) sum += point(last_.contact_force, i);
     j["final"]["contact_force_sum_N"] = {sum.x(), sum.y(), sum.z()};
   }
   for (std::size_t k = 0; k < last_.reactions.size(); ++k)
-    j["final"]["reaction_N"][model_.reactions[k].name] = {last_.reactions[k].x(), last_.reactions[k].y(), last_.reactions[k].z()};
+    j["final"]["reaction_N"][model_.reactions[k].name] = {last_.reactions[k].x(), last_.reactions[k].y(),
+                                                          last_.reactions[k].z()};
   j["weight_N"] = model_.weight;
   j["largest_edge_strain"] = extremes_.largest_edge_strain;
   j["smallest_edge_strain"] = extremes_.smallest_edge_strain;

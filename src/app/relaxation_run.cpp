@@ -1,20 +1,19 @@
-#include "sundrape/statics/relaxation.hpp"
-
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/interrupt.hpp"
 #include "sundrape/statics/chapter_relaxation.hpp"
+#include "sundrape/statics/relaxation.hpp"
 #include "sundrape/statics/stability.hpp"
 
 namespace sundrape {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int frame_every = 5;   // iterations
+constexpr int frame_every = 5;  // iterations
 
 SolverKind solver_kind(const Case& c) {
   if (c.relaxation.linear_solver == "lu") return SolverKind::lu;
@@ -36,29 +35,46 @@ EnergyAudit::Balance balance_of(const System& system, const State& all, double i
 
 class Watch final : public RelaxationObserver {
  public:
-  Watch(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress, double initial_load, double first_step)
-      : case_(c), model_(model), recorder_(recorder), progress_(progress), initial_load_(initial_load), still_(Vector::Zero(model.initial.size())), start_(Clock::now()) {
+  Watch(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress, double initial_load,
+        double first_step)
+      : case_(c),
+        model_(model),
+        recorder_(recorder),
+        progress_(progress),
+        initial_load_(initial_load),
+        still_(Vector::Zero(model.initial.size())),
+        start_(Clock::now()) {
     now_.step_size = first_step;
-    if (const auto& restart = recorder.restart()) before_ = now_ = {restart->time, restart->step_size, restart->totals.at(0), restart->totals.at(1)};
+    if (const auto& restart = recorder.restart())
+      before_ = now_ = {restart->time, restart->step_size, restart->totals.at(0), restart->totals.at(1)};
   }
 
   void step(const State& all, const RelaxationStep& step) override {
-    if (due_) {   // not at once: what turns out to be the last frame is written with its stability
+    if (due_) {  // not at once: what turns out to be the last frame is written with its stability
       frame(*due_);
       checkpoint(*due_);
       due_.reset();
     }
     const int factored = case_.relaxation.scheme == "chapter" ? 0 : 1 + step.refused;
-    now_ = {before_.time + step.time, step.step_size, before_.iterations + step.iteration, now_.factorizations + factored};
+    now_ = {before_.time + step.time, step.step_size, before_.iterations + step.iteration,
+            now_.factorizations + factored};
     const auto contact = recorder_.step({now_.time, all.q, all.v});
-    recorder_.step_values({{"time", now_.time}, {"step_size", step.step_size}, {"residual", step.residual}, {"newton_iterations", 1}, {"contacts", contact.contacts}, {"negative_pivots", -1}});
+    recorder_.step_values({{"time", now_.time},
+                           {"step_size", step.step_size},
+                           {"residual", step.residual},
+                           {"newton_iterations", 1},
+                           {"contacts", contact.contacts},
+                           {"negative_pivots", -1}});
     if (++steps_ % frame_every == 0) due_ = all.q;
-    if (progress_.due()) progress_.show(fmt::format("iteration {}, residual {:.2e}, step {:.2e} s, {} contacts", now_.iterations, step.residual, step.step_size, contact.contacts), -1);
+    if (progress_.due())
+      progress_.show(fmt::format("iteration {}, residual {:.2e}, step {:.2e} s, {} contacts", now_.iterations,
+                                 step.residual, step.step_size, contact.contacts),
+                     -1);
   }
 
   /// How far the relaxation is, from its very start.
   struct Course {
-    double time = 0, step_size = 0;              // of the fictitious motion [s]
+    double time = 0, step_size = 0;  // of the fictitious motion [s]
     double iterations = 0, factorizations = 0;
   };
   [[nodiscard]] const Course& before() const { return before_; }
@@ -66,7 +82,9 @@ class Watch final : public RelaxationObserver {
   [[nodiscard]] bool is_new() const { return steps_ > 0; }
 
   [[nodiscard]] bool wants_to_stop() override {
-    if (case_.relaxation.time_limit && std::chrono::duration<double>(Clock::now() - start_).count() > *case_.relaxation.time_limit) out_of_time_ = true;
+    if (case_.relaxation.time_limit &&
+        std::chrono::duration<double>(Clock::now() - start_).count() > *case_.relaxation.time_limit)
+      out_of_time_ = true;
     return out_of_time_ || InterruptGuard::requested();
   }
   [[nodiscard]] bool out_of_time() const { return out_of_time_; }
@@ -77,7 +95,8 @@ class Watch final : public RelaxationObserver {
   }
   void checkpoint(const Vector& q) {
     const State all{now_.time, q, still_};
-    recorder_.checkpoint(all, balance_of(*model_.system, all, initial_load_), 0, now_.step_size, {now_.iterations, now_.factorizations});
+    recorder_.checkpoint(all, balance_of(*model_.system, all, initial_load_), 0, now_.step_size,
+                         {now_.iterations, now_.factorizations});
   }
 
  private:
@@ -89,7 +108,7 @@ class Watch final : public RelaxationObserver {
   Vector still_;
   Clock::time_point start_;
   Course before_, now_;
-  std::optional<Vector> due_;   // positions that wait to become a frame
+  std::optional<Vector> due_;  // positions that wait to become a frame
   bool out_of_time_ = false;
   int steps_ = 0;
 };
@@ -98,7 +117,9 @@ double shortest_edge(const QuadMesh& mesh) {
   double shortest = diagonal(mesh);
   for (const auto& quad : mesh.quads)
     for (std::size_t k = 0; k < 4; ++k)
-      shortest = std::min(shortest, (mesh.reference[static_cast<std::size_t>(quad[k])] - mesh.reference[static_cast<std::size_t>(quad[(k + 1) % 4])]).norm());
+      shortest = std::min(shortest, (mesh.reference[static_cast<std::size_t>(quad[k])] -
+                                     mesh.reference[static_cast<std::size_t>(quad[(k + 1) % 4])])
+                                        .norm());
   return shortest;
 }
 
@@ -106,7 +127,7 @@ double shortest_edge(const QuadMesh& mesh) {
 
 AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress) {
   const auto& system = *model.system;
-  const double swing = std::sqrt(model.size / model.gravity);   // time scale of motion under gravity [s]
+  const double swing = std::sqrt(model.size / model.gravity);  // time scale of motion under gravity [s]
   const double force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
   Vector q = model.initial;
   double first_step = c.relaxation.first_step.value_or(0.01 * swing);
@@ -123,33 +144,56 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
   RelaxationResult result;
   if (c.relaxation.scheme == "chapter") {
     const auto found = relax_as_in_chapter(system,
-                                 {.c_disp = c.relaxation.c_disp.value_or(0), .c_acc = c.relaxation.c_acc.value_or(-1), .edge_length = shortest_edge(model.mesh), .tolerance = c.relaxation.tolerance, .max_iterations = c.relaxation.max_iterations.value_or(1000000), .force_scale = force_scale},
-                                 q, watch);
-    recorder.statistic("chapter_criterion_iterations", static_cast<std::int64_t>(found.criterion_iterations), "steps after which no node moved further than b/10,000: where the chapter stops");
-    recorder.statistic("chapter_criterion_residual", found.criterion_residual, "|out-of-balance force| / |external force| there");
+                                           {.c_disp = c.relaxation.c_disp.value_or(0),
+                                            .c_acc = c.relaxation.c_acc.value_or(-1),
+                                            .edge_length = shortest_edge(model.mesh),
+                                            .tolerance = c.relaxation.tolerance,
+                                            .max_iterations = c.relaxation.max_iterations.value_or(1000000),
+                                            .force_scale = force_scale},
+                                           q, watch);
+    recorder.statistic("chapter_criterion_iterations", static_cast<std::int64_t>(found.criterion_iterations),
+                       "steps after which no node moved further than b/10,000: where the chapter stops");
+    recorder.statistic("chapter_criterion_residual", found.criterion_residual,
+                       "|out-of-balance force| / |external force| there");
     result = found;
   } else {
     const auto solver = make_linear_solver(solver_kind(c));
     result = relax(system, *solver,
-                   {.tolerance = c.relaxation.tolerance, .max_iterations = c.relaxation.max_iterations.value_or(2000), .first_step = first_step, .growth = c.relaxation.growth, .force_scale = force_scale}, q, watch);
+                   {.tolerance = c.relaxation.tolerance,
+                    .max_iterations = c.relaxation.max_iterations.value_or(2000),
+                    .first_step = first_step,
+                    .growth = c.relaxation.growth,
+                    .force_scale = force_scale},
+                   q, watch);
   }
 
-  recorder.statistic("iterations", static_cast<std::int64_t>(watch.before().iterations) + result.iterations, "steps of the relaxation");
-  recorder.statistic("factorizations", static_cast<std::int64_t>(watch.before().factorizations) + result.factorizations, "matrices factored");
+  recorder.statistic("iterations", static_cast<std::int64_t>(watch.before().iterations) + result.iterations,
+                     "steps of the relaxation");
+  recorder.statistic("factorizations", static_cast<std::int64_t>(watch.before().factorizations) + result.factorizations,
+                     "matrices factored");
   recorder.statistic("residual", result.residual, "|out-of-balance force| / |external force| at the end");
   AnalysisEnd end;
   std::optional<int> pivots;
   if (result.end == RelaxationEnd::converged) {
     pivots = negative_pivots(system, {0, q, still}, 1e-3 / swing);
-    recorder.statistic("negative_pivots", static_cast<std::int64_t>(pivots.value_or(-1)), "of the tangent at the end: 0 means a stable equilibrium, -1 that the factorisation broke down");
+    recorder.statistic("negative_pivots", static_cast<std::int64_t>(pivots.value_or(-1)),
+                       "of the tangent at the end: 0 means a stable equilibrium, -1 that the factorisation broke down");
     if (!pivots)
       recorder.warn("the stability of this equilibrium is not known: the tangent's factorisation broke down");
     else if (*pivots > 0)
-      recorder.warn(fmt::format("this equilibrium is unstable: its tangent has {} negative pivots; another cloth.waviness leads to a stable one", *pivots));
+      recorder.warn(
+          fmt::format("this equilibrium is unstable: its tangent has {} negative pivots; another cloth.waviness leads "
+                      "to a stable one",
+                      *pivots));
   } else if (watch.out_of_time()) {
-    end = {ResultStatus::failed, fmt::format("time limit of {:g} s reached with residual {:.3g}: continue with --resume, or raise relaxation.time_limit", *c.relaxation.time_limit, result.residual)};
+    end = {
+        ResultStatus::failed,
+        fmt::format(
+            "time limit of {:g} s reached with residual {:.3g}: continue with --resume, or raise relaxation.time_limit",
+            *c.relaxation.time_limit, result.residual)};
   } else if (result.end == RelaxationEnd::stopped) {
-    end = {ResultStatus::interrupted, fmt::format("interrupted with residual {:.3g}: continue with --resume", result.residual)};
+    end = {ResultStatus::interrupted,
+           fmt::format("interrupted with residual {:.3g}: continue with --resume", result.residual)};
   } else {
     end = {ResultStatus::failed, result.diagnosis};
   }

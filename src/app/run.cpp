@@ -1,11 +1,11 @@
 #include "sundrape/app/run.hpp"
 
-#include <fmt/format.h>
-#include <omp.h>
-
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <omp.h>
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/interrupt.hpp"
@@ -24,16 +24,21 @@ std::filesystem::path output_path(const RunOptions& options) {
 
 void require_folder(const std::filesystem::path& file) {
   const auto folder = file.parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder)) throw FileError(fmt::format("{}: its folder does not exist", file.string()));
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    throw FileError(fmt::format("{}: its folder does not exist", file.string()));
 }
 
 /// Before the work rather than after it.
 void require_room(const RunOptions& options, const std::filesystem::path& output) {
   for (const auto& file : {output, options.summary.value_or(output)})
-    if (std::filesystem::exists(file) && std::filesystem::equivalent(file, options.case_file)) throw FileError(fmt::format("{}: is the case itself; choose another name for what the run writes", file.string()));
-  const bool goes_on = options.resume && std::filesystem::exists(*options.resume) && std::filesystem::exists(output) && std::filesystem::equivalent(*options.resume, output);
+    if (std::filesystem::exists(file) && std::filesystem::equivalent(file, options.case_file))
+      throw FileError(
+          fmt::format("{}: is the case itself; choose another name for what the run writes", file.string()));
+  const bool goes_on = options.resume && std::filesystem::exists(*options.resume) && std::filesystem::exists(output) &&
+                       std::filesystem::equivalent(*options.resume, output);
   if (std::filesystem::exists(output) && !options.overwrite && !goes_on)
-    throw FileError(fmt::format("{}: exists already; choose another -o, or overwrite it with --force", output.string()));
+    throw FileError(
+        fmt::format("{}: exists already; choose another -o, or overwrite it with --force", output.string()));
   require_folder(output);
   if (options.summary) require_folder(*options.summary);
 }
@@ -42,11 +47,17 @@ void require_room(const RunOptions& options, const std::filesystem::path& output
 void warn_of_extremes(const Case& c, Recorder& recorder) {
   const auto& e = recorder.extremes();
   if (e.deepest_penetration > c.contact.penetration)
-    recorder.warn(fmt::format("the cloth sank {:.3g} mm into an obstacle, more than the {:.3g} mm allowed: raise contact.stiffness", 1e3 * e.deepest_penetration, 1e3 * c.contact.penetration));
+    recorder.warn(fmt::format(
+        "the cloth sank {:.3g} mm into an obstacle, more than the {:.3g} mm allowed: raise contact.stiffness",
+        1e3 * e.deepest_penetration, 1e3 * c.contact.penetration));
   if (e.largest_edge_strain > 0.05)
-    recorder.warn(fmt::format("threads stretched by up to {:.1f} %: the fabric's modulus may be too small, or a load too large", 100 * e.largest_edge_strain));
+    recorder.warn(
+        fmt::format("threads stretched by up to {:.1f} %: the fabric's modulus may be too small, or a load too large",
+                    100 * e.largest_edge_strain));
   if (e.sharpest_bend > 150 * std::numbers::pi / 180)
-    recorder.warn(fmt::format("a thread folds by {:.0f}° from one edge to the next: the mesh is too coarse for this fold", e.sharpest_bend * 180 / std::numbers::pi));
+    recorder.warn(
+        fmt::format("a thread folds by {:.0f}° from one edge to the next: the mesh is too coarse for this fold",
+                    e.sharpest_bend * 180 / std::numbers::pi));
 }
 
 void write_summary(const std::filesystem::path& file, const nlohmann::json& summary) {
@@ -57,14 +68,21 @@ void write_summary(const std::filesystem::path& file, const nlohmann::json& summ
 
 std::string report(const nlohmann::json& s, const std::filesystem::path& output) {
   const auto& final = s.at("final");
-  std::string text = fmt::format("{}: {} frames in {}", s.at("status").get<std::string>(), s.at("frames").get<int>(), output.string());
-  text += fmt::format("\n  wall {:.2f} s, CPU {:.2f} s", s.at("wall_seconds").get<double>(), s.at("cpu_seconds").get<double>());
+  std::string text =
+      fmt::format("{}: {} frames in {}", s.at("status").get<std::string>(), s.at("frames").get<int>(), output.string());
+  text += fmt::format("\n  wall {:.2f} s, CPU {:.2f} s", s.at("wall_seconds").get<double>(),
+                      s.at("cpu_seconds").get<double>());
   if (s.contains("steps"))
-    text += fmt::format("; {} steps, {} Newton iterations, {} refused, method dissipated {:.3g} J", s.at("steps").get<long>(), s.at("newton_iterations").get<long>(),
-                        s.at("error_test_failures").get<long>() + s.at("step_solve_failures").get<long>(), final.at("energy_J").at("method_dissipated").get<double>());
+    text += fmt::format("; {} steps, {} Newton iterations, {} refused, method dissipated {:.3g} J",
+                        s.at("steps").get<long>(), s.at("newton_iterations").get<long>(),
+                        s.at("error_test_failures").get<long>() + s.at("step_solve_failures").get<long>(),
+                        final.at("energy_J").at("method_dissipated").get<double>());
   if (s.contains("iterations"))
-    text += fmt::format("; {} iterations, residual {:.2e}, {} negative pivots", s.at("iterations").get<long>(), final.at("residual").get<double>(), final.at("negative_pivots").get<int>());
-  text += fmt::format("\n  largest edge strain {:.3g} %, deepest penetration {:.3g} mm", 100 * s.at("largest_edge_strain").get<double>(), 1e3 * s.at("deepest_penetration_m").get<double>());
+    text += fmt::format("; {} iterations, residual {:.2e}, {} negative pivots", s.at("iterations").get<long>(),
+                        final.at("residual").get<double>(), final.at("negative_pivots").get<int>());
+  text +=
+      fmt::format("\n  largest edge strain {:.3g} %, deepest penetration {:.3g} mm",
+                  100 * s.at("largest_edge_strain").get<double>(), 1e3 * s.at("deepest_penetration_m").get<double>());
   for (const auto& warning : s.at("warnings")) text += "\n  warning: " + warning.get<std::string>();
   return text;
 }
@@ -81,12 +99,14 @@ ExitStatus run_case(const RunOptions& options) {
 
   const InterruptGuard guard;
   const bool dynamics = c.analysis == Analysis::dynamics;
-  Recorder recorder(c, model, {output, options.resume}, dynamics ? dynamics_step_columns() : relaxation_step_columns(), dynamics ? c.output.frame_times.size() : 32, clock);
+  Recorder recorder(c, model, {output, options.resume}, dynamics ? dynamics_step_columns() : relaxation_step_columns(),
+                    dynamics ? c.output.frame_times.size() : 32, clock);
   AnalysisEnd end;
   nlohmann::json summary;
   {
     Progress progress(options.verbosity);
-    progress.say(fmt::format("{}: {} nodes, {} unknowns, {}", c.title, model.mesh.nodes(), model.system->unknowns().size(), dynamics ? "dynamics" : "relaxation"));
+    progress.say(fmt::format("{}: {} nodes, {} unknowns, {}", c.title, model.mesh.nodes(),
+                             model.system->unknowns().size(), dynamics ? "dynamics" : "relaxation"));
     end = dynamics ? run_dynamics(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
     warn_of_extremes(c, recorder);
     recorder.statistic("wall_seconds", recorder.clock().wall(), "wall-clock time [s]");

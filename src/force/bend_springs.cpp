@@ -11,8 +11,8 @@ namespace {
 
 /// Second derivatives of one spring's energy by its edges a, b and axis c (and of its damping's power, where kept).
 struct EdgeTangent {
-  Matrix3 aa, ab, ac, bb, bc, cc;   // rows by the first letter
-  Matrix3 ba, ca, cb;               // transposes of the above unless the damping's own change is kept
+  Matrix3 aa, ab, ac, bb, bc, cc;  // rows by the first letter
+  Matrix3 ba, ca, cb;              // transposes of the above unless the damping's own change is kept
 };
 
 /// modulus · g gᵀ + geometric · ∂²φ
@@ -29,7 +29,8 @@ EdgeTangent edge_tangent(const HingeAngle& hinge, const HingeCurvature& curved, 
 }
 
 /// Adds factor · g (∂²φ · rates)ᵀ, by which the damping moment changes as the spring turns: not symmetric.
-void add_rate_change(EdgeTangent& t, const HingeAngle& hinge, const HingeCurvature& curved, double factor, const Vector3& a, const Vector3& b, const Vector3& c) {
+void add_rate_change(EdgeTangent& t, const HingeAngle& hinge, const HingeCurvature& curved, double factor,
+                     const Vector3& a, const Vector3& b, const Vector3& c) {
   t.ba = t.ab.transpose();
   t.ca = t.ac.transpose();
   t.cb = t.bc.transpose();
@@ -68,11 +69,13 @@ void add_plain(const EdgeTangent& t, std::size_t e, Assembler& tangent) {
 }
 
 /// The same for any spring: weights[p] are those of a, b, c in point p.
-void add_general(const EdgeTangent& t, const std::array<int, 5>& points, const std::array<Vector3, 5>& weights, std::size_t e, Assembler& tangent) {
+void add_general(const EdgeTangent& t, const std::array<int, 5>& points, const std::array<Vector3, 5>& weights,
+                 std::size_t e, Assembler& tangent) {
   const bool exact = tangent.keeps_unsymmetric();
   const auto block = [&](std::size_t p, std::size_t q) -> Matrix3 {
     const Vector3 &l = weights[p], &r = weights[q];
-    const Matrix3 symmetric = l[0] * r[0] * t.aa + l[1] * r[1] * t.bb + l[2] * r[2] * t.cc + l[0] * r[1] * t.ab + l[0] * r[2] * t.ac + l[1] * r[2] * t.bc;
+    const Matrix3 symmetric = l[0] * r[0] * t.aa + l[1] * r[1] * t.bb + l[2] * r[2] * t.cc + l[0] * r[1] * t.ab +
+                              l[0] * r[2] * t.ac + l[1] * r[2] * t.bc;
     return -(symmetric + l[1] * r[0] * t.ba + l[2] * r[0] * t.ca + l[2] * r[1] * t.cb);
   };
   for (std::size_t q = 0; q < 5; ++q) {
@@ -94,17 +97,19 @@ struct BendSprings::Edges {
   Vector3 a, b, c;
 };
 
-BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxation_time) : relaxation_time_(relaxation_time) {
+BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxation_time)
+    : relaxation_time_(relaxation_time) {
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of bending must not be negative [s]");
   elements_.reserve(springs.size());
   for (const auto& s : springs) {
     if (!(s.stiffness > 0)) throw std::invalid_argument("a bend spring has no stiffness");
     const bool from_centre = s.cross_from == s.centre, to_centre = s.cross_to == s.centre;
-    elements_.push_back({.points = {s.previous, s.centre, s.next, to_centre ? -1 : s.cross_to, from_centre ? -1 : s.cross_from},
-                         .skew = s.skew,
-                         .centre_in_cross = (to_centre ? 1.0 : 0.0) - (from_centre ? 1.0 : 0.0),
-                         .rest_angle = s.rest_angle,
-                         .stiffness = s.stiffness});
+    elements_.push_back(
+        {.points = {s.previous, s.centre, s.next, to_centre ? -1 : s.cross_to, from_centre ? -1 : s.cross_from},
+         .skew = s.skew,
+         .centre_in_cross = (to_centre ? 1.0 : 0.0) - (from_centre ? 1.0 : 0.0),
+         .rest_angle = s.rest_angle,
+         .stiffness = s.stiffness});
     auto points = elements_.back().points;
     std::ranges::sort(points);
     for (std::size_t k = 1; k < points.size(); ++k)
@@ -170,7 +175,8 @@ void BendSprings::add_force(const State& state, VectorRef f) const {
         const auto v = edges(element, state.v);
         moment += relaxation_time_ * element.stiffness * (hinge.ga.dot(v.a) + hinge.gb.dot(v.b) + hinge.gc.dot(v.c));
       }
-      const Vector3 fa = -moment * (hinge.ga - element.skew * hinge.gc), fb = -moment * (hinge.gb - element.skew * hinge.gc);
+      const Vector3 fa = -moment * (hinge.ga - element.skew * hinge.gc),
+                    fb = -moment * (hinge.gb - element.skew * hinge.gc);
       const Vector3 fc = -moment * hinge.gc;
       const auto& [previous, centre, next, to, from] = element.points;
       point(f, previous) -= fa;
@@ -204,7 +210,10 @@ void BendSprings::add_tangent(const State& state, double dq, double dv, Assemble
       }
       add_rate_change(t, hinge, curved, keeps_rate_change ? dq * viscosity : 0.0, v.a, v.b, v.c);
       const double k = element.skew;
-      add_general(t, element.points, {Vector3(-1, 0, k), Vector3(1, -1, element.centre_in_cross), Vector3(0, 1, -k), Vector3(0, 0, 1), Vector3(0, 0, -1)}, e, tangent);
+      add_general(t, element.points,
+                  {Vector3(-1, 0, k), Vector3(1, -1, element.centre_in_cross), Vector3(0, 1, -k), Vector3(0, 0, 1),
+                   Vector3(0, 0, -1)},
+                  e, tangent);
     }
   });
 }

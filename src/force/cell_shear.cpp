@@ -7,10 +7,10 @@ namespace sundrape {
 namespace {
 
 struct Sheared {
-  Vector3 g1, g2;     // ∂γ/∂D₁, ∂γ/∂D₂ [1/m]
-  Vector3 h1, h2;     // rates of g1 and g2 [1/(m s)]
-  double strain;      // γ
-  double rate;        // dγ/dt [1/s]
+  Vector3 g1, g2;  // ∂γ/∂D₁, ∂γ/∂D₂ [1/m]
+  Vector3 h1, h2;  // rates of g1 and g2 [1/(m s)]
+  double strain;   // γ
+  double rate;     // dγ/dt [1/s]
 };
 
 Sheared sheared(const ShearCell& cell, const State& state) {
@@ -32,13 +32,17 @@ constexpr double end_sign(int k) { return k < 2 ? -1.0 : 1.0; }
 
 }  // namespace
 
-CellShear::CellShear(std::vector<ShearCell> cells, double relaxation_time) : cells_(std::move(cells)), relaxation_time_(relaxation_time) {
+CellShear::CellShear(std::vector<ShearCell> cells, double relaxation_time)
+    : cells_(std::move(cells)), relaxation_time_(relaxation_time) {
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of shear must not be negative [s]");
   for (const auto& c : cells_)
     if (!(c.scale > 0 && c.stiffness > 0)) throw std::invalid_argument("a cell has no area or no shear stiffness");
-  const auto reach = [](const ShearCell& c) { return std::pair<int, int>(*std::ranges::min_element(c.nodes), *std::ranges::max_element(c.nodes)); };
+  const auto reach = [](const ShearCell& c) {
+    return std::pair<int, int>(*std::ranges::min_element(c.nodes), *std::ranges::max_element(c.nodes));
+  };
   std::ranges::sort(cells_, {}, reach);
   std::vector<std::pair<int, int>> reaches;
+  reaches.reserve(cells_.size());
   for (const auto& c : cells_) reaches.push_back(reach(c));
   stripes_ = Stripes(reaches);
 }

@@ -44,7 +44,7 @@ double ContactLaw::gap_under(double pressure) const {
 double suggested_stiffness(const ContactLoad& load, double penetration) {
   if (!(load.weight_per_area > 0 && load.diagonal > 0 && load.spread > 0 && penetration > 0))
     throw std::invalid_argument("contact stiffness needs a positive weight, size, cell and penetration");
-  constexpr double landing = 32;
+  constexpr double landing = 64;
   return landing * load.weight_per_area * (load.diagonal / load.spread) / penetration;
 }
 

@@ -20,7 +20,8 @@ void Drag::add_force(const State& state, VectorRef f) const {
 }
 
 void Drag::add_tangent(const State& /*state*/, double /*dq*/, double dv, Assembler& tangent) const {
-  for (int i = 0; i < mass_.size(); ++i) tangent.add_diagonal(static_cast<std::size_t>(i), 0, -dv * rate_ * mass_[i] * Matrix3::Identity());
+  for (int i = 0; i < mass_.size(); ++i)
+    tangent.add_diagonal(static_cast<std::size_t>(i), 0, -dv * rate_ * mass_[i] * Matrix3::Identity());
 }
 
 void Drag::declare_pattern(Pattern& pattern) const {

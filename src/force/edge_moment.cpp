@@ -1,7 +1,8 @@
 #include "sundrape/force/edge_moment.hpp"
 
-#include <Eigen/Geometry>
 #include <array>
+
+#include <Eigen/Geometry>
 
 namespace sundrape {
 namespace {

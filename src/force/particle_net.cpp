@@ -1,9 +1,10 @@
 #include "sundrape/force/particle_net.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+
+#include <Eigen/Geometry>
 
 #include "sundrape/force/bend_springs.hpp"
 #include "sundrape/force/cell_shear.hpp"
@@ -46,17 +47,19 @@ std::vector<StretchSpring> diagonal_springs(const QuadMesh& mesh, const Fabric& 
   std::vector<StretchSpring> springs;
   for (const auto& cell : shear_cells(mesh, fabric))
     for (const auto& [from, to] : {std::pair{cell.nodes[0], cell.nodes[2]}, std::pair{cell.nodes[1], cell.nodes[3]}}) {
-      const double d = (mesh.reference[static_cast<std::size_t>(to)] - mesh.reference[static_cast<std::size_t>(from)]).norm();
+      const double d =
+          (mesh.reference[static_cast<std::size_t>(to)] - mesh.reference[static_cast<std::size_t>(from)]).norm();
       springs.push_back({from, to, d, cell.stiffness * d * d / (2 * cell.scale * cell.scale)});
     }
   return springs;
 }
 
-std::vector<BendSpring> bend_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric, const std::vector<bool>& clamped) {
+std::vector<BendSpring> bend_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
+                                     const std::vector<bool>& clamped) {
   std::vector<BendSpring> springs;
   const auto x = [&](int n) { return mesh.reference[static_cast<std::size_t>(n)]; };
   for (const auto& b : threads.bends) {
-    if (clamped[static_cast<std::size_t>(b.centre)]) continue;   // the clamp holds each side by itself
+    if (clamped[static_cast<std::size_t>(b.centre)]) continue;  // the clamp holds each side by itself
     const Vector3 along = x(b.centre) - x(b.previous), on = x(b.next) - x(b.centre);
     const Vector3 axis = x(b.cross_to) - x(b.cross_from) - b.skew * (along + on);
     springs.push_back({.previous = b.previous,
@@ -71,8 +74,8 @@ std::vector<BendSpring> bend_springs(const QuadMesh& mesh, const Threads& thread
   return springs;
 }
 
-std::vector<ClampSpring> clamp_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric, const std::vector<Vector3>& placed,
-                                       const std::vector<bool>& clamped) {
+std::vector<ClampSpring> clamp_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
+                                       const std::vector<Vector3>& placed, const std::vector<bool>& clamped) {
   const auto normals = node_normals(mesh, placed);
   std::vector<ClampSpring> springs;
   for (int n = 0; n < mesh.nodes(); ++n) {
@@ -96,12 +99,15 @@ std::vector<ClampSpring> clamp_springs(const QuadMesh& mesh, const Threads& thre
 }  // namespace
 
 std::vector<std::unique_ptr<ForceTerm>> particle_net(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
-                                                     const std::vector<Vector3>& placed, const std::vector<bool>& clamped) {
+                                                     const std::vector<Vector3>& placed,
+                                                     const std::vector<bool>& clamped) {
   std::vector<std::unique_ptr<ForceTerm>> terms;
   const auto& damping = fabric.damping;
-  terms.push_back(std::make_unique<StretchSprings>(thread_springs(threads, fabric), EnergyKind::membrane, damping.membrane, fabric.net.compression_factor));
+  terms.push_back(std::make_unique<StretchSprings>(thread_springs(threads, fabric), EnergyKind::membrane,
+                                                   damping.membrane, fabric.net.compression_factor));
   if (fabric.net.diagonal_springs)
-    terms.push_back(std::make_unique<StretchSprings>(diagonal_springs(mesh, fabric), EnergyKind::shear, damping.membrane, fabric.net.diagonal_compression_factor));
+    terms.push_back(std::make_unique<StretchSprings>(diagonal_springs(mesh, fabric), EnergyKind::shear,
+                                                     damping.membrane, fabric.net.diagonal_compression_factor));
   else
     terms.push_back(std::make_unique<CellShear>(shear_cells(mesh, fabric), damping.membrane));
   terms.push_back(std::make_unique<BendSprings>(bend_springs(mesh, threads, fabric, clamped), damping.bending));
@@ -115,15 +121,17 @@ Vector lumped_mass(const QuadMesh& mesh, const Fabric& fabric) {
   return fabric.area_density * Eigen::Map<const Vector>(areas.data(), static_cast<Eigen::Index>(areas.size()));
 }
 
-std::vector<LoadedEdge> moment_on_edge(const QuadMesh& mesh, const Threads& threads, const std::vector<int>& nodes, const Vector3& total) {
+std::vector<LoadedEdge> moment_on_edge(const QuadMesh& mesh, const Threads& threads, const std::vector<int>& nodes,
+                                       const Vector3& total) {
   const auto lengths = tributary_edge_lengths(mesh, nodes);
   const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   if (!(whole > 0)) throw std::invalid_argument("a moment needs nodes along an edge of the sheet");
   std::vector<LoadedEdge> edges;
   for (const int n : nodes) {
     const auto ends = threads.ends_at(n);
-    const auto inward = std::ranges::find_if(
-        ends, [&](const ThreadEnd& end) { return end.through < 0 && std::ranges::find(nodes, end.neighbour) == nodes.end(); });
+    const auto inward = std::ranges::find_if(ends, [&](const ThreadEnd& end) {
+      return end.through < 0 && std::ranges::find(nodes, end.neighbour) == nodes.end();
+    });
     if (inward == ends.end()) throw std::invalid_argument("a moment needs nodes where a thread ends");
     edges.push_back({inward->neighbour, n, total * (lengths[static_cast<std::size_t>(n)] / whole)});
   }

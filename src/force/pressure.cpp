@@ -9,7 +9,9 @@ struct Diagonals {
   Vector3 first, second;
 };
 
-Diagonals diagonals(const std::array<int, 4>& n, ConstVectorRef x) { return {point(x, n[2]) - point(x, n[0]), point(x, n[3]) - point(x, n[1])}; }
+Diagonals diagonals(const std::array<int, 4>& n, ConstVectorRef x) {
+  return {point(x, n[2]) - point(x, n[0]), point(x, n[3]) - point(x, n[1])};
+}
 
 }  // namespace
 
@@ -45,7 +47,7 @@ void Pressure::add_tangent(const State& state, double dq, double /*dv*/, Assembl
     const std::array<Matrix3, 4> by_node{-by_first, -by_second, by_first, by_second};
     for (int q = 0; q < 4; ++q) {
       const auto& column = by_node[static_cast<std::size_t>(q)];
-      if (tangent.keeps_unsymmetric()) tangent.add_diagonal(e, q, column);   // its symmetric part vanishes
+      if (tangent.keeps_unsymmetric()) tangent.add_diagonal(e, q, column);  // its symmetric part vanishes
       for (int p = 0; p < q; ++p) tangent.add_general_pair(e, p, q, column, by_node[static_cast<std::size_t>(p)]);
     }
   }

@@ -10,13 +10,13 @@ namespace {
 
 /// What a spring is doing in a given state.
 struct Stretched {
-  Vector3 direction;      // unit vector from i to j
-  Vector3 velocity;       // v_j − v_i [m/s]
-  double length;          // current length [m]
-  double rate;            // its rate [m/s]
-  double stiffness;       // D' k [N/m]
-  double viscosity;       // β k [N s/m]
-  double tension;         // D' k Δb + β k d(length)/dt [N]
+  Vector3 direction;  // unit vector from i to j
+  Vector3 velocity;   // v_j − v_i [m/s]
+  double length;      // current length [m]
+  double rate;        // its rate [m/s]
+  double stiffness;   // D' k [N/m]
+  double viscosity;   // β k [N s/m]
+  double tension;     // D' k Δb + β k d(length)/dt [N]
 };
 
 Stretched stretched(const StretchSpring& s, const State& state, double relaxation_time, double compression_factor) {
@@ -34,10 +34,16 @@ Stretched stretched(const StretchSpring& s, const State& state, double relaxatio
 
 }  // namespace
 
-StretchSprings::StretchSprings(std::vector<StretchSpring> springs, EnergyKind kind, double relaxation_time, double compression_factor)
-    : springs_(std::move(springs)), kind_(kind), relaxation_time_(relaxation_time), compression_factor_(compression_factor) {
-  if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of stretching must not be negative [s]");
-  if (!(compression_factor >= 0 && compression_factor <= 1)) throw std::invalid_argument("the compression factor D' must lie in [0, 1]");
+StretchSprings::StretchSprings(std::vector<StretchSpring> springs, EnergyKind kind, double relaxation_time,
+                               double compression_factor)
+    : springs_(std::move(springs)),
+      kind_(kind),
+      relaxation_time_(relaxation_time),
+      compression_factor_(compression_factor) {
+  if (!(relaxation_time >= 0))
+    throw std::invalid_argument("the relaxation time of stretching must not be negative [s]");
+  if (!(compression_factor >= 0 && compression_factor <= 1))
+    throw std::invalid_argument("the compression factor D' must lie in [0, 1]");
   for (const auto& s : springs_) {
     if (!(s.length > 0)) throw std::invalid_argument("a stretch spring has no length: two nodes coincide at rest");
     if (!(s.stiffness > 0)) throw std::invalid_argument("a stretch spring has no stiffness");
@@ -45,6 +51,7 @@ StretchSprings::StretchSprings(std::vector<StretchSpring> springs, EnergyKind ki
   const auto reach = [](const StretchSpring& s) { return std::minmax({s.i, s.j}); };
   std::ranges::sort(springs_, {}, [&](const StretchSpring& s) { return std::pair<int, int>(reach(s)); });
   std::vector<std::pair<int, int>> reaches;
+  reaches.reserve(springs_.size());
   for (const auto& s : springs_) reaches.emplace_back(reach(s));
   stripes_ = Stripes(reaches);
 }

@@ -5,7 +5,7 @@
 namespace sundrape {
 namespace {
 
-constexpr std::size_t smallest_stripe = 256;   // elements; below that a thread's start costs more than it saves
+constexpr std::size_t smallest_stripe = 256;  // elements; below that a thread's start costs more than it saves
 constexpr std::size_t most_stripes = 32;
 
 std::vector<std::size_t> equal_cuts(std::size_t elements, std::size_t stripes) {
@@ -14,7 +14,8 @@ std::vector<std::size_t> equal_cuts(std::size_t elements, std::size_t stripes) {
   return bounds;
 }
 
-bool same_colour_stripes_are_disjoint(std::span<const std::pair<int, int>> reach, const std::vector<std::size_t>& bounds) {
+bool same_colour_stripes_are_disjoint(std::span<const std::pair<int, int>> reach,
+                                      const std::vector<std::size_t>& bounds) {
   for (std::size_t s = 0; s + 3 < bounds.size(); ++s) {
     int highest = -1;
     for (std::size_t e = bounds[s]; e < bounds[s + 1]; ++e) highest = std::max(highest, reach[e].second);

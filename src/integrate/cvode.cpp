@@ -10,9 +10,11 @@ using sundials::require_success;
 
 class Cvode final : public ImplicitIntegrator {
  public:
-  Cvode(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
+  Cvode(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options,
+        EventSource* events)
       : ImplicitIntegrator(system, std::move(solver), options, events),
-        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); }, context_) {}
+        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); },
+                  context_) {}
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);
@@ -66,24 +68,28 @@ class Cvode final : public ImplicitIntegrator {
     require_success(CVodeSetMaxErrTestFails(m, 20), "CVodeSetMaxErrTestFails");
     if (options_.max_step) require_success(CVodeSetMaxStep(m, *options_.max_step), "CVodeSetMaxStep");
     if (event_count() > 0) {
-      const auto roots = [](realtype t, N_Vector y, realtype* values, void* data) { return self(data).evaluate_events(t, y, values); };
+      const auto roots = [](realtype t, N_Vector y, realtype* values, void* data) {
+        return self(data).evaluate_events(t, y, values);
+      };
       require_success(CVodeRootInit(m, event_count(), roots), "CVodeRootInit");
       require_success(CVodeSetRootDirection(m, falling().data()), "CVodeSetRootDirection");
       CVodeSetNoInactiveRootWarn(m);
     }
   }
 
-  /// (I − γ J) x = b: multiplied by 1/γ, and the second half by M, it is the condensed system with r_q = b_q/γ, r_v = M b_v/γ.
+  /// (I − γ J) x = b: multiplied by 1/γ, and the second half by M, it is the condensed system with r_q = b_q/γ, r_v = M
+  /// b_v/γ.
   int solve_newton(N_Vector x, N_Vector b) {
     realtype t = 0, gamma = 0, rl1 = 0;
     N_Vector predicted = nullptr, y = nullptr, f = nullptr, zn1 = nullptr;
     void* data = nullptr;
-    require_success(CVodeGetNonlinearSystemData(memory_.get(), &t, &predicted, &y, &f, &gamma, &rl1, &zn1, &data), "CVodeGetNonlinearSystemData");
+    require_success(CVodeGetNonlinearSystemData(memory_.get(), &t, &predicted, &y, &f, &gamma, &rl1, &zn1, &data),
+                    "CVodeGetNonlinearSystemData");
     bool refreshed = false;
     if (const int flag = refresh(t, 1 / gamma, y, refreshed); flag != 0) return flag;
     const auto n = form_.size() / 2;
     const auto& mass = form_.system().row_mass();
-    if (refreshed) {   // CVODE has just evaluated ẏ there
+    if (refreshed) {  // CVODE has just evaluated ẏ there
       r_v_ = sundials::values(f).tail(n);
       for (int r = 0; r < mass.size(); ++r) point(r_v_, r) *= mass[r];
       newton_.know_forces(r_v_);
@@ -94,7 +100,9 @@ class Cvode final : public ImplicitIntegrator {
     return solve(r_q_, r_v_, x);
   }
 
-  void interpolant(double time, N_Vector y) const override { require_success(CVodeGetDky(memory_.get(), time, 0, y), "CVodeGetDky"); }
+  void interpolant(double time, N_Vector y) const override {
+    require_success(CVodeGetDky(memory_.get(), time, 0, y), "CVodeGetDky");
+  }
   void root_info(int* fired) const override { CVodeGetRootInfo(memory_.get(), fired); }
 
   [[nodiscard]] IntegratorStatistics current() const override {
@@ -129,7 +137,8 @@ class Cvode final : public ImplicitIntegrator {
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_cvode(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events) {
+std::unique_ptr<Integrator> make_cvode(const System& system, std::unique_ptr<LinearSolver> solver,
+                                       const IntegratorOptions& options, EventSource* events) {
   return std::make_unique<Cvode>(system, std::move(solver), options, events);
 }
 

@@ -1,20 +1,27 @@
 #include "sundrape/integrate/dynamics.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace sundrape {
 
-Dynamics::Dynamics(const System& system, Integrator& integrator, std::vector<double> frame_times, DynamicsObserver& observer, EventSource* events)
-    : system_(system), integrator_(integrator), frame_times_(std::move(frame_times)), observer_(observer), events_(events) {
+Dynamics::Dynamics(const System& system, Integrator& integrator, std::vector<double> frame_times,
+                   DynamicsObserver& observer, EventSource* events)
+    : system_(system),
+      integrator_(integrator),
+      frame_times_(std::move(frame_times)),
+      observer_(observer),
+      events_(events) {
   if (frame_times_.empty()) throw std::invalid_argument("a dynamic run needs at least one frame time: its end");
   const auto all = 3 * static_cast<Eigen::Index>(system.unknowns().points());
   for (auto* x : {&q_, &v_, &frame_q_, &frame_v_}) x->setZero(all);
   for (auto* x : {&rows_q_, &rows_v_}) x->setZero(system.unknowns().size());
 }
 
-void Dynamics::carry_over(const EnergyAudit::Balance& before, double initial_energy) { carried_ = {before, initial_energy}; }
+void Dynamics::carry_over(const EnergyAudit::Balance& before, double initial_energy) {
+  carried_ = {before, initial_energy};
+}
 
 void Dynamics::expand_last() {
   integrator_.state(rows_q_, rows_v_);
@@ -47,7 +54,8 @@ DynamicsEnd Dynamics::run(double time, ConstVectorRef q, ConstVectorRef v, bool 
   integrator_.start(time, rows_q_, rows_v_);
 
   std::size_t next = 0;
-  while (next < frame_times_.size() && (frame_times_[next] < time || (!first_frame && frame_times_[next] <= time))) ++next;
+  while (next < frame_times_.size() && (frame_times_[next] < time || (!first_frame && frame_times_[next] <= time)))
+    ++next;
   emit_frames(next);
 
   const double end = frame_times_.back();
@@ -56,7 +64,8 @@ DynamicsEnd Dynamics::run(double time, ConstVectorRef q, ConstVectorRef v, bool 
     // the last step may end a rounding error short of the end
     time_ = std::abs(report.time - end) < 1e-12 * std::abs(end) ? end : report.time;
     expand_last();
-    if (!q_.allFinite() || !v_.allFinite()) throw IntegrationFailure(fmt::format("the motion is no longer finite at t = {:.6g} s", time_));
+    if (!q_.allFinite() || !v_.allFinite())
+      throw IntegrationFailure(fmt::format("the motion is no longer finite at t = {:.6g} s", time_));
     audit_->advance(last(), events_ ? events_->dissipated() : 0.0);
     emit_frames(next);
     if (report.event && events_ && events_->happen(time_, q_, v_, integrator_.fired())) {

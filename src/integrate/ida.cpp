@@ -13,12 +13,14 @@ class Ida final : public ImplicitIntegrator {
   Ida(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
       : ImplicitIntegrator(system, std::move(solver), options, events),
         y_dot_(form_.size(), context_),
-        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); }, context_) {}
+        embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); },
+                  context_) {}
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);
     forget_matrix();
-    if (!form_.rates(time, y_.values(), y_dot_.values())) throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
+    if (!form_.rates(time, y_.values(), y_dot_.values()))
+      throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
     if (memory_) {
       bank();
       require_success(IDAReInit(memory_.get(), time, y_.get(), y_dot_.get()), "IDAReInit");
@@ -56,7 +58,8 @@ class Ida final : public ImplicitIntegrator {
     require_success(IDASetMaxOrd(m, options_.max_order), "IDASetMaxOrd");
     const auto residual = [](realtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* data) {
       auto& me = self(data);
-      return me.carrier_.run([&] { return me.residual(t, sundials::values(y), sundials::values(y_dot), sundials::values(r)); });
+      return me.carrier_.run(
+          [&] { return me.residual(t, sundials::values(y), sundials::values(y_dot), sundials::values(r)); });
     };
     require_success(IDAInit(m, residual, time, y_.get(), y_dot_.get()), "IDAInit");
     require_success(IDASetUserData(m, this), "IDASetUserData");
@@ -68,7 +71,9 @@ class Ida final : public ImplicitIntegrator {
     require_success(IDASetMaxErrTestFails(m, 20), "IDASetMaxErrTestFails");
     if (options_.max_step) require_success(IDASetMaxStep(m, *options_.max_step), "IDASetMaxStep");
     if (event_count() > 0) {
-      const auto roots = [](realtype t, N_Vector y, N_Vector, realtype* values, void* data) { return self(data).evaluate_events(t, y, values); };
+      const auto roots = [](realtype t, N_Vector y, N_Vector, realtype* values, void* data) {
+        return self(data).evaluate_events(t, y, values);
+      };
       require_success(IDARootInit(m, event_count(), roots), "IDARootInit");
       require_success(IDASetRootDirection(m, falling().data()), "IDASetRootDirection");
       IDASetNoInactiveRootWarn(m);
@@ -81,8 +86,10 @@ class Ida final : public ImplicitIntegrator {
     if (!form_.forces(t, y, r.tail(n))) return 1;
     r.head(n) = y_dot.head(n) - y.tail(n);
     for (int row = 0; row < form_.system().unknowns().rows(); ++row)
-      r.segment<3>(n + 3 * row) = form_.system().row_mass()[row] * y_dot.segment<3>(n + 3 * row) - r.segment<3>(n + 3 * row);
-    for (const auto& [row, component] : form_.system().unknowns().held_components()) r[n + 3 * row + component] = y_dot[n + 3 * row + component];
+      r.segment<3>(n + 3 * row) =
+          form_.system().row_mass()[row] * y_dot.segment<3>(n + 3 * row) - r.segment<3>(n + 3 * row);
+    for (const auto& [row, component] : form_.system().unknowns().held_components())
+      r[n + 3 * row + component] = y_dot[n + 3 * row + component];
     return 0;
   }
 
@@ -90,7 +97,8 @@ class Ida final : public ImplicitIntegrator {
     realtype t = 0, c = 0;
     N_Vector predicted = nullptr, predicted_dot = nullptr, y = nullptr, y_dot = nullptr, r = nullptr;
     void* data = nullptr;
-    require_success(IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data), "IDAGetNonlinearSystemData");
+    require_success(IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data),
+                    "IDAGetNonlinearSystemData");
     bool refreshed = false;
     if (const int flag = refresh(t, c, y, refreshed); flag != 0) return flag;
     const auto n = form_.size() / 2;
@@ -98,7 +106,9 @@ class Ida final : public ImplicitIntegrator {
     return solve(right.head(n), right.tail(n), x);
   }
 
-  void interpolant(double time, N_Vector y) const override { require_success(IDAGetDky(memory_.get(), time, 0, y), "IDAGetDky"); }
+  void interpolant(double time, N_Vector y) const override {
+    require_success(IDAGetDky(memory_.get(), time, 0, y), "IDAGetDky");
+  }
   void root_info(int* fired) const override { IDAGetRootInfo(memory_.get(), fired); }
 
   [[nodiscard]] IntegratorStatistics current() const override {
@@ -116,7 +126,8 @@ class Ida final : public ImplicitIntegrator {
     IDAGetCurrentStep(memory_.get(), &h);
     std::string what = "IDA cannot go on";
     std::string advice = "try more strain-rate damping, a softer contact or a finer mesh";
-    if (flag == IDA_CONV_FAIL || flag == IDA_LSOLVE_FAIL) what = "Newton's iteration does not converge, however small the step";
+    if (flag == IDA_CONV_FAIL || flag == IDA_LSOLVE_FAIL)
+      what = "Newton's iteration does not converge, however small the step";
     if (flag == IDA_ERR_FAIL) {
       what = "the error test fails, however small the step";
       advice = "try a looser rtol or more strain-rate damping";
@@ -133,7 +144,8 @@ class Ida final : public ImplicitIntegrator {
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_ida(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events) {
+std::unique_ptr<Integrator> make_ida(const System& system, std::unique_ptr<LinearSolver> solver,
+                                     const IntegratorOptions& options, EventSource* events) {
   return std::make_unique<Ida>(system, std::move(solver), options, events);
 }
 

@@ -5,12 +5,19 @@
 namespace sundrape {
 
 Impact::Impact(const ObstacleContact& contact, Vector mass, double restitution, double smallest_speed)
-    : contact_(contact), mass_(std::move(mass)), restitution_(restitution), smallest_speed_(smallest_speed), carried_(static_cast<std::size_t>(mass_.size()), false) {
-  if (!(restitution >= 0 && restitution <= 1)) throw std::invalid_argument("the coefficient of restitution must lie in [0, 1]");
+    : contact_(contact),
+      mass_(std::move(mass)),
+      restitution_(restitution),
+      smallest_speed_(smallest_speed),
+      carried_(static_cast<std::size_t>(mass_.size()), false) {
+  if (!(restitution >= 0 && restitution <= 1))
+    throw std::invalid_argument("the coefficient of restitution must lie in [0, 1]");
   if (!(smallest_speed > 0)) throw std::invalid_argument("the smallest speed of an impact must be positive [m/s]");
 }
 
-double Impact::distance_to_reach(ConstVectorRef q, int node) const { return contact_.closest(point(q, node)).first - contact_.law().smoothing(); }
+double Impact::distance_to_reach(ConstVectorRef q, int node) const {
+  return contact_.closest(point(q, node)).first - contact_.law().smoothing();
+}
 
 void Impact::evaluate(const State& all, std::span<double> values) const {
   for (int i = 0; i < count(); ++i) {

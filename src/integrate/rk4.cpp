@@ -1,7 +1,7 @@
+#include <array>
+
 #include <arkode/arkode_erkstep.h>
 #include <fmt/format.h>
-
-#include <array>
 
 #include "sundials_integrator.hpp"
 
@@ -21,7 +21,8 @@ class RungeKutta4 final : public SundialsIntegrator {
     load(time, q, v);
     const auto right_side = [](realtype t, N_Vector y_now, N_Vector y_dot, void* data) {
       auto& me = self(data);
-      return me.carrier_.run([&] { return me.form_.rates(t, sundials::values(y_now), sundials::values(y_dot)) ? 0 : -1; });
+      return me.carrier_.run(
+          [&] { return me.form_.rates(t, sundials::values(y_now), sundials::values(y_dot)) ? 0 : -1; });
     };
     if (memory_) {
       bank();
@@ -36,11 +37,14 @@ class RungeKutta4 final : public SundialsIntegrator {
     set_classical_table();
     // ERKStep 6.4 takes every table for first-same-as-last and reuses the last stage as the next step's first, which
     // costs the classical method an order (SUNDIALS issue 311); with a post-processing step it evaluates anew.
-    require_success(ERKStepSetPostprocessStepFn(m, [](realtype, N_Vector, void*) { return 0; }), "ERKStepSetPostprocessStepFn");
+    require_success(ERKStepSetPostprocessStepFn(m, [](realtype, N_Vector, void*) { return 0; }),
+                    "ERKStepSetPostprocessStepFn");
     require_success(ERKStepSetFixedStep(m, options_.fixed_step), "ERKStepSetFixedStep");
     require_success(ERKStepSetMaxNumSteps(m, -1), "ERKStepSetMaxNumSteps");
     if (event_count() > 0) {
-      const auto roots = [](realtype t, N_Vector y_now, realtype* values, void* data) { return self(data).evaluate_events(t, y_now, values); };
+      const auto roots = [](realtype t, N_Vector y_now, realtype* values, void* data) {
+        return self(data).evaluate_events(t, y_now, values);
+      };
       require_success(ERKStepRootInit(m, event_count(), roots), "ERKStepRootInit");
       require_success(ERKStepSetRootDirection(m, falling().data()), "ERKStepSetRootDirection");
       ERKStepSetNoInactiveRootWarn(m);
@@ -53,23 +57,26 @@ class RungeKutta4 final : public SundialsIntegrator {
     carrier_.rethrow();
     const double speed = y_.values().tail(form_.size() / 2).cwiseAbs().maxCoeff();
     if (flag < 0 || !(speed < absurd_speed))
-      throw IntegrationFailure(fmt::format("the fixed-step Runge–Kutta method has blown up at t = {:.6g} s with a step of {:.3g} s; the stability limit "
-                                           "reported at the start is an estimate for the initial shape: try a smaller dynamics.step",
-                                           time_, options_.fixed_step));
+      throw IntegrationFailure(fmt::format(
+          "the fixed-step Runge–Kutta method has blown up at t = {:.6g} s with a step of {:.3g} s; the stability limit "
+          "reported at the start is an estimate for the initial shape: try a smaller dynamics.step",
+          time_, options_.fixed_step));
     StepReport report{.time = time_, .order = 4, .event = flag == ARK_ROOT_RETURN};
     ERKStepGetLastStep(memory_.get(), &report.step_size);
     return report;
   }
 
  private:
-  static constexpr double absurd_speed = 1e4;   // [m/s]; no cloth survives it
+  static constexpr double absurd_speed = 1e4;  // [m/s]; no cloth survives it
   struct Free {
     void operator()(void* memory) const { ERKStepFree(&memory); }
   };
 
   static RungeKutta4& self(void* data) { return *static_cast<RungeKutta4*>(data); }
 
-  void interpolant(double time, N_Vector y) const override { require_success(ERKStepGetDky(memory_.get(), time, 0, y), "ERKStepGetDky"); }
+  void interpolant(double time, N_Vector y) const override {
+    require_success(ERKStepGetDky(memory_.get(), time, 0, y), "ERKStepGetDky");
+  }
   void root_info(int* fired) const override { ERKStepGetRootInfo(memory_.get(), fired); }
   [[nodiscard]] IntegratorStatistics current() const override {
     IntegratorStatistics s;

@@ -10,7 +10,9 @@
 namespace sundrape {
 namespace {
 
-bool stable(std::complex<double> z) { return std::abs(1.0 + z * (1.0 + z * (0.5 + z * (1.0 / 6 + z / 24.0)))) <= 1 + 1e-12; }
+bool stable(std::complex<double> z) {
+  return std::abs(1.0 + z * (1.0 + z * (0.5 + z * (1.0 / 6 + z / 24.0)))) <= 1 + 1e-12;
+}
 
 }  // namespace
 
@@ -21,7 +23,7 @@ double rk4_stable_step(double angular_frequency, double damping_rate) {
   const double size = std::max(std::abs(fast), std::abs(slow));
   if (size == 0) return std::numeric_limits<double>::infinity();
   const auto both_stable = [&](double h) { return stable(h * fast) && stable(h * slow); };
-  double low = 0, high = 4 / size;   // |z| = 4 lies outside the stability region
+  double low = 0, high = 4 / size;  // |z| = 4 lies outside the stability region
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
     (both_stable(middle) ? low : high) = middle;
@@ -29,7 +31,7 @@ double rk4_stable_step(double angular_frequency, double damping_rate) {
   return low;
 }
 
-StabilityLimit rk4_stability_limit(const System& system, const State& all) {
+StabilityLimit rk4_stability_limit(const System& system, const State& all, double contact_rate) {
   const auto largest = [&](double dq, double dv) {
     BlockMatrix matrix(system.structure(), Symmetry::symmetric);
     matrix.set_zero();
@@ -38,7 +40,7 @@ StabilityLimit rk4_stability_limit(const System& system, const State& all) {
     return std::max(0.0, largest_eigenvalue(matrix, system.row_mass()));
   };
   StabilityLimit limit;
-  limit.angular_frequency = std::sqrt(largest(-1, 0));
+  limit.angular_frequency = std::sqrt(largest(-1, 0) + contact_rate * contact_rate);
   limit.damping_rate = largest(0, -1);
   limit.step = rk4_stable_step(limit.angular_frequency, limit.damping_rate);
   return limit;

@@ -57,7 +57,8 @@ IntegratorStatistics SundialsIntegrator::statistics() const {
   return s;
 }
 
-ImplicitIntegrator::ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
+ImplicitIntegrator::ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver,
+                                       const IntegratorOptions& options, EventSource* events)
     : SundialsIntegrator(system, options, events),
       newton_(system, std::move(solver), options.linear_tolerance),
       weights_{options.rtol, options.atol_position, options.atol_velocity, Vector()} {}

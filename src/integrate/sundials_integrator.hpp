@@ -1,9 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "sundials_support.hpp"
+#include "sundrape/integrate/error_weights.hpp"
 #include "sundrape/integrate/first_order_form.hpp"
 #include "sundrape/integrate/integrator.hpp"
+
+#include "sundials_support.hpp"
 
 namespace sundrape {
 
@@ -24,11 +26,15 @@ class SundialsIntegrator : public Integrator {
   void bank();
   [[nodiscard]] int event_count() const { return events_ ? events_->count() : 0; }
   /// Directions for the root finder: events happen where their values fall.
-  [[nodiscard]] std::vector<int> falling() const { return std::vector<int>(static_cast<std::size_t>(event_count()), -1); }
+  [[nodiscard]] std::vector<int> falling() const {
+    return std::vector<int>(static_cast<std::size_t>(event_count()), -1);
+  }
   /// The root function's work; returns SUNDIALS' flag.
   int evaluate_events(double time, N_Vector y, double* values);
   /// Restarts begin with a tenth of the last step; 0 lets the library choose.
-  [[nodiscard]] double first_step() const { return last_step_ > 0 ? 0.1 * last_step_ : options_.first_step.value_or(0.0); }
+  [[nodiscard]] double first_step() const {
+    return last_step_ > 0 ? 0.1 * last_step_ : options_.first_step.value_or(0.0);
+  }
 
   /// Interpolant of the last step at a time, into y.
   virtual void interpolant(double time, N_Vector y) const = 0;
@@ -50,7 +56,8 @@ class SundialsIntegrator : public Integrator {
 /// What the implicit ones add: Newton's matrix, refreshed at every new step or new try of one, and the error weights.
 class ImplicitIntegrator : public SundialsIntegrator {
  protected:
-  ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events);
+  ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options,
+                     EventSource* events);
 
   /// Factors c² M + c C + K at (t, y) unless that was done for the same t and c; SUNDIALS' flag. True in `done` if so.
   int refresh(double time, double c, N_Vector y, bool& done);

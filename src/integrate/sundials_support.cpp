@@ -1,8 +1,8 @@
 #include "sundials_support.hpp"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace sundrape::sundials {
 
@@ -21,7 +21,8 @@ Eigen::Map<Vector> StateVector::values() const { return sundials::values(vector_
 Eigen::Map<Vector> values(N_Vector v) { return {N_VGetArrayPointer(v), N_VGetLength(v)}; }
 
 EmbeddedSolver::EmbeddedSolver(std::function<int(N_Vector, N_Vector)> solve, const Context& context)
-    : solve_(std::make_unique<std::function<int(N_Vector, N_Vector)>>(std::move(solve))), solver_(SUNLinSolNewEmpty(context)) {
+    : solve_(std::make_unique<std::function<int(N_Vector, N_Vector)>>(std::move(solve))),
+      solver_(SUNLinSolNewEmpty(context)) {
   if (!solver_) throw std::bad_alloc();
   solver_->content = solve_.get();
   solver_->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_MATRIX_EMBEDDED; };

@@ -1,14 +1,15 @@
 #pragma once
-// The one place that owns SUNDIALS objects; a change of its major version is work here and in the three integrators only.
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
-#include <sundials/sundials_linearsolver.h>
-
+// The one place that owns SUNDIALS objects; a change of its major version is work here and in the three integrators
+// only.
 #include <exception>
 #include <functional>
 #include <memory>
 #include <string>
 #include <utility>
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_linearsolver.h>
 
 #include "sundrape/types.hpp"
 
@@ -17,7 +18,7 @@ namespace sundrape::sundials {
 class Context {
  public:
   Context();
-  operator SUNContext() const { return context_.get(); }   // NOLINT(google-explicit-constructor): a handle
+  operator SUNContext() const { return context_.get(); }  // NOLINT(google-explicit-constructor): a handle
 
  private:
   struct Free {
@@ -42,7 +43,8 @@ class StateVector {
 
 [[nodiscard]] Eigen::Map<Vector> values(N_Vector v);
 
-/// A matrix-embedded SUNLinearSolver whose solve(x, b) is ours; 0 is success, > 0 a failure that a smaller step may cure.
+/// A matrix-embedded SUNLinearSolver whose solve(x, b) is ours; 0 is success, > 0 a failure that a smaller step may
+/// cure.
 class EmbeddedSolver {
  public:
   EmbeddedSolver(std::function<int(N_Vector x, N_Vector b)> solve, const Context& context);
@@ -56,7 +58,8 @@ class EmbeddedSolver {
   std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, Free> solver_;
 };
 
-/// Keeps C++ exceptions from crossing SUNDIALS' C frames: run() returns −1 and remembers, rethrow() throws on the far side.
+/// Keeps C++ exceptions from crossing SUNDIALS' C frames: run() returns −1 and remembers, rethrow() throws on the far
+/// side.
 class ExceptionCarrier {
  public:
   template <class Body>

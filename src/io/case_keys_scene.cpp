@@ -40,7 +40,7 @@ Section fix() {
               {.name = "components",
                .type = KeyType::choices,
                .choices = {"x", "y", "z", "rotation"},
-               .default_value = "[\"x\", \"y\", \"z\", \"rotation\"]",
+               .default_value = R"(["x", "y", "z", "rotation"])",
                .doc = "What is held; `rotation` clamps the slope of a held edge."},
               {.name = "name",
                .type = KeyType::name,

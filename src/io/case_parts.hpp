@@ -8,12 +8,12 @@ namespace sundrape {
 [[nodiscard]] ClothCase resolve_cloth(const CaseSection& cloth, const std::filesystem::path& folder);
 [[nodiscard]] Place resolve_place(const CaseSection& place);
 [[nodiscard]] Fabric resolve_fabric(const CaseSection& material);
-[[nodiscard]] std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& fixes);
-[[nodiscard]] std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& loads);
-[[nodiscard]] std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& obstacles);
-[[nodiscard]] ContactCase resolve_contact(const CaseSection& contact, double thickness);
-[[nodiscard]] DynamicsCase resolve_dynamics(const CaseSection& dynamics);
-[[nodiscard]] RelaxationCase resolve_relaxation(const CaseSection& relaxation);
-[[nodiscard]] OutputCase resolve_output(const CaseSection& output, double duration);
+[[nodiscard]] std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections);
+[[nodiscard]] std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections);
+[[nodiscard]] std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections);
+[[nodiscard]] ContactCase resolve_contact(const CaseSection& section, double thickness);
+[[nodiscard]] DynamicsCase resolve_dynamics(const CaseSection& section);
+[[nodiscard]] RelaxationCase resolve_relaxation(const CaseSection& section);
+[[nodiscard]] OutputCase resolve_output(const CaseSection& section, double duration);
 
 }  // namespace sundrape

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,8 +46,8 @@ const toml::node* ReadingContext::default_of(const Key& key) const {
 }
 
 CaseSection::CaseSection(const ReadingContext& context, const Section& section, const toml::table* table,
-                         const SourceLine& source)
-    : context_(&context), section_(&section), table_(table), source_(source) {}
+                         SourceLine source)
+    : context_(&context), section_(&section), table_(table), source_(std::move(source)) {}
 
 bool CaseSection::has(std::string_view name) const { return given(name) != nullptr; }
 

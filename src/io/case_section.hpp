@@ -32,8 +32,7 @@ class ReadingContext {
 /// accept, and std::logic_error on a name that the key table does not have.
 class CaseSection {
  public:
-  CaseSection(const ReadingContext& context, const Section& section, const toml::table* table,
-              const SourceLine& source);
+  CaseSection(const ReadingContext& context, const Section& section, const toml::table* table, SourceLine source);
 
   /// Every key known, available and accepted, every required one there; likewise in the tables within.
   void check() const;

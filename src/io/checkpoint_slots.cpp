@@ -76,8 +76,9 @@ std::optional<Numbered> read_newest(const hdf5::File& file) {
   Numbered newest{.checkpoint = {}, .sequence = std::max(sequence_0, sequence_1)};
   if (newest.sequence <= 0) return std::nullopt;
   auto& checkpoint = newest.checkpoint;
+  const auto inside = slot + "/arrays/";
   for (const auto& name : file.children(slot + "/arrays"))
-    checkpoint.arrays[name] = file.dataset(slot + "/arrays/" + name).read<double>();
+    checkpoint.arrays[name] = file.dataset(inside + name).read<double>();
   const auto rows = file.dataset(slot + "/rows").read<std::int64_t>();
   const auto number = [&](std::size_t i) { return static_cast<std::uint64_t>(rows.at(i)); };
   checkpoint.frames = number(0);

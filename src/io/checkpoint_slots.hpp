@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "sundrape/io/hdf5.hpp"
 #include "sundrape/io/result.hpp"

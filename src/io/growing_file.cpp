@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -76,7 +77,7 @@ void GrowingFile::commit() {
     auto& state = states_[s];
     const auto grown = rows(s);
     if (grown == state.rows) continue;
-    for (auto each = state.placed.rbegin(); each != state.placed.rend(); ++each) each->dataset.publish_rows(grown);
+    for (auto& each : std::views::reverse(state.placed)) each.dataset.publish_rows(grown);
     for (auto& pending : state.pending) pending.clear();
     state.rows = grown;
   }

@@ -29,7 +29,7 @@ void silence() {
 /// No locks, so that readers can open a file that is being written; no caches between raw data and the file.
 Handle access_properties(const std::string& file) {
   Handle properties = require(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, file, "set up file access");
-  require(H5Pset_file_locking(properties.id(), 0, 1), file, "switch file locking off");
+  require(H5Pset_file_locking(properties.id(), false, true), file, "switch file locking off");
   require(H5Pset_libver_bounds(properties.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), file, "choose the file version");
   require(H5Pset_sieve_buf_size(properties.id(), 0), file, "switch the sieve buffer off");
   require(H5Pset_cache(properties.id(), 0, 521, 0, 0.75), file, "switch the chunk cache off");

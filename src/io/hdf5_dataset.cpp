@@ -47,7 +47,7 @@ Handle element_type(const DatasetSpec& spec, const std::string& file) {
 Handle creation_properties(const DatasetSpec& spec, const std::string& file, const std::string& attempt) {
   Handle properties = require(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file, attempt);
   const auto id = properties.id();
-  require(H5Pset_obj_track_times(id, 0), file, attempt);
+  require(H5Pset_obj_track_times(id, false), file, attempt);
   require(H5Pset_fill_time(id, H5D_FILL_TIME_NEVER), file, attempt);
   if (spec.chunk_rows == 0 || spec.deflate == 0) require(H5Pset_alloc_time(id, H5D_ALLOC_TIME_EARLY), file, attempt);
   if (spec.chunk_rows > 0) {

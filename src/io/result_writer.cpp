@@ -89,7 +89,7 @@ std::uint64_t ResultWriter::frames() const { return implementation_->file().rows
 void ResultWriter::append_step(std::initializer_list<StepValue> values) {
   const auto& columns = implementation_->header().step_columns;
   for (const auto& [name, value] : values)
-    if (std::ranges::none_of(columns, [&](const StepColumn& column) { return column.name == name; }))
+    if (std::ranges::find(columns, name, &StepColumn::name) == columns.end())
       throw std::invalid_argument(fmt::format("this result has no step column {}", name));
   auto& file = implementation_->file();
   for (std::size_t c = 0; c < columns.size(); ++c) {

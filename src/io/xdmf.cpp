@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -69,8 +70,8 @@ std::string xdmf_text(const XdmfContent& content, std::span<const double> frame_
 }
 
 XdmfWriter::XdmfWriter(std::filesystem::path result, const ResultHeader& header)
-    : path_(result),
-      content_{.result_file = result.filename().string(),
+    : path_(std::move(result)),
+      content_{.result_file = path_.filename().string(),
                .nodes = header.mesh.reference.size(),
                .quads = header.mesh.quads.size(),
                .director = header.director} {

@@ -29,7 +29,7 @@ Outcome iterate(V& x, V& r, double tolerance, int max_iterations, const Multiply
   V z(r.size());
   Scalar rz = 0;
   for (int iteration = 0;; ++iteration) {
-    const double residual = static_cast<double>(r.norm());
+    const auto residual = static_cast<double>(r.norm());
     if (!std::isfinite(residual)) return {End::not_finite, iteration};
     if (residual <= tolerance) return {End::converged, iteration};
     if (iteration == max_iterations) return {End::too_many_iterations, iteration};

@@ -73,14 +73,14 @@ class ObjReader {
 
   void vertex(const Vector3& x) {
     require_numbers(decimal, 3);
-    mesh_.reference.push_back(unit_ * x);
-    mesh_.material.push_back(unit_ * x.head<2>());
+    mesh_.reference.emplace_back(unit_ * x);
+    mesh_.material.emplace_back(unit_ * x.head<2>());
     textured_.emplace_back();
   }
 
   void texture_coordinate(const Eigen::Vector2d& uv) {
     require_numbers(decimal, 2);
-    texture_.push_back(unit_ * uv);
+    texture_.emplace_back(unit_ * uv);
   }
 
   void face(std::span<const tinyobj::index_t> corners) {

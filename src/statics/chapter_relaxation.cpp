@@ -17,8 +17,9 @@ double stiffest(const System& system, const Vector& q, const Vector& still) {
 
 }  // namespace
 
-ChapterRelaxationResult relax_as_in_chapter(const System& system, const ChapterRelaxationOptions& options, Vector& q, RelaxationObserver& observer) {
-  constexpr int residual_every = 20;   // steps; it costs two evaluations of the forces
+ChapterRelaxationResult relax_as_in_chapter(const System& system, const ChapterRelaxationOptions& options, Vector& q,
+                                            RelaxationObserver& observer) {
+  constexpr int residual_every = 20;  // steps; it costs two evaluations of the forces
   const auto& unknowns = system.unknowns();
   const Vector still = Vector::Zero(q.size());
   Vector f(q.size()), rows(unknowns.size()), rows_q(unknowns.size()), displacement = Vector::Zero(unknowns.size());
@@ -42,11 +43,14 @@ ChapterRelaxationResult relax_as_in_chapter(const System& system, const ChapterR
     unknowns.scatter(rows_q, q);
     ++result.iterations;
     if (!rows_q.allFinite())
-      return stall(fmt::format("the chapter's scheme has blown up after {} steps: lower relaxation.c_disp (now {:.3g} m/N)", result.iterations, c_disp));
+      return stall(
+          fmt::format("the chapter's scheme has blown up after {} steps: lower relaxation.c_disp (now {:.3g} m/N)",
+                      result.iterations, c_disp));
     double largest = 0;
     for (int r = 0; r < unknowns.rows(); ++r) largest = std::max(largest, point(displacement, r).norm());
     const bool small = largest < options.edge_length / 10000, first_small = small && result.criterion_iterations == 0;
-    if (first_small || result.iterations % residual_every == 0) result.residual = relative_residual(system, {0, q, still}, options.force_scale);
+    if (first_small || result.iterations % residual_every == 0)
+      result.residual = relative_residual(system, {0, q, still}, options.force_scale);
     if (first_small) {
       result.criterion_iterations = result.iterations;
       result.criterion_residual = result.residual;
@@ -54,7 +58,8 @@ ChapterRelaxationResult relax_as_in_chapter(const System& system, const ChapterR
     const bool converged = small && result.iterations % residual_every == 0 && result.residual <= options.tolerance;
     if (converged || result.iterations % options.report_every == 0) {
       const auto count = static_cast<double>(result.iterations);
-      observer.step({count, q, still}, {.iteration = result.iterations, .time = count, .step_size = 1, .residual = result.residual});
+      observer.step({count, q, still},
+                    {.iteration = result.iterations, .time = count, .step_size = 1, .residual = result.residual});
       if (observer.wants_to_stop()) {
         result.end = RelaxationEnd::stopped;
         return result;
@@ -62,8 +67,10 @@ ChapterRelaxationResult relax_as_in_chapter(const System& system, const ChapterR
     }
     if (converged) return result;
     if (result.iterations >= options.max_iterations)
-      return stall(fmt::format("the chapter's scheme has residual {:.3g} (tolerance {:.3g}) after {} steps: use relaxation.scheme = \"implicit\"", result.residual,
-                               options.tolerance, result.iterations));
+      return stall(
+          fmt::format("the chapter's scheme has residual {:.3g} (tolerance {:.3g}) after {} steps: use "
+                      "relaxation.scheme = \"implicit\"",
+                      result.residual, options.tolerance, result.iterations));
   }
 }
 

@@ -1,22 +1,27 @@
 #include "sundrape/statics/relaxation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace sundrape {
 namespace {
 
-constexpr double largest_jump = 300;     // of the residual in one step
-constexpr double cut = 0.25;             // of the step after a refusal
-constexpr double smallest_step = 1e-9;   // [s]
-constexpr double largest_step = 1e4;     // [s]; M/h² is then far below any stiffness, yet holds neutral rigid motion
+constexpr double largest_jump = 300;    // of the residual in one step
+constexpr double cut = 0.25;            // of the step after a refusal
+constexpr double smallest_step = 1e-9;  // [s]
+constexpr double largest_step = 1e4;    // [s]; M/h² is then far below any stiffness, yet holds neutral rigid motion
 
 /// The out-of-balance force over the unknowns and the point where it is largest.
 class OutOfBalance {
  public:
-  OutOfBalance(const System& system, double force_scale) : system_(system), force_scale_(force_scale), still_(Vector::Zero(3 * system.mass().size())), f_(still_), rows_(system.unknowns().size()) {}
+  OutOfBalance(const System& system, double force_scale)
+      : system_(system),
+        force_scale_(force_scale),
+        still_(Vector::Zero(3 * system.mass().size())),
+        f_(still_),
+        rows_(system.unknowns().size()) {}
 
   /// Returns the residual relative to the external force.
   double evaluate(const Vector& q) {
@@ -48,9 +53,12 @@ class OutOfBalance {
 
 }  // namespace
 
-double relative_residual(const System& system, const State& all, double force_scale) { return OutOfBalance(system, force_scale).evaluate(all.q); }
+double relative_residual(const System& system, const State& all, double force_scale) {
+  return OutOfBalance(system, force_scale).evaluate(all.q);
+}
 
-RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options, Vector& q, RelaxationObserver& observer) {
+RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options, Vector& q,
+                       RelaxationObserver& observer) {
   const auto& unknowns = system.unknowns();
   const auto n = unknowns.size();
   BlockMatrix matrix(system.structure(), solver.symmetry());
@@ -65,12 +73,14 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
   for (; result.residual > options.tolerance; ++result.iterations) {
     const auto stall = [&](const std::string& why, const std::string& advice) {
       result.end = RelaxationEnd::stalled;
-      result.diagnosis = fmt::format("{} after {} iterations: residual {:.3g} (tolerance {:.3g}), largest out-of-balance force at node {}; {}", why,
-                                     result.iterations, result.residual, options.tolerance, balance.worst_point(), advice);
+      result.diagnosis = fmt::format(
+          "{} after {} iterations: residual {:.3g} (tolerance {:.3g}), largest out-of-balance force at node {}; {}",
+          why, result.iterations, result.residual, options.tolerance, balance.worst_point(), advice);
       return result;
     };
     if (result.iterations >= options.max_iterations)
-      return stall("relaxation has not converged", "raise relaxation.max_iterations, or look at the last frame: something may slide freely");
+      return stall("relaxation has not converged",
+                   "raise relaxation.max_iterations, or look at the last frame: something may slide freely");
 
     RelaxationStep report{.iteration = result.iterations + 1};
     const Vector force = balance.rows();

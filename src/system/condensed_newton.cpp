@@ -5,7 +5,10 @@
 namespace sundrape {
 
 CondensedNewton::CondensedNewton(const System& system, std::unique_ptr<LinearSolver> solver, double tolerance)
-    : system_(system), solver_(std::move(solver)), matrix_(system.structure(), solver_->symmetry()), tolerance_(tolerance) {
+    : system_(system),
+      solver_(std::move(solver)),
+      matrix_(system.structure(), solver_->symmetry()),
+      tolerance_(tolerance) {
   const auto all = 3 * static_cast<Eigen::Index>(system.unknowns().points());
   q_.resize(all);
   v_.resize(all);
@@ -39,7 +42,8 @@ SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, Vecto
   const Stopwatch watch(counters_.solve_seconds);
   right_side_ = r_v;
   if (!r_q.isZero(0)) {
-    for (int r = 0; r < system_.unknowns().rows(); ++r) point(right_side_, r) += c_ * system_.row_mass()[r] * point(r_q, r);
+    for (int r = 0; r < system_.unknowns().rows(); ++r)
+      point(right_side_, r) += c_ * system_.row_mass()[r] * point(r_q, r);
     add_damping_product(r_q, right_side_);
   }
   system_.unknowns().clear_held(right_side_);
@@ -48,7 +52,9 @@ SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, Vecto
   counters_.linear_iterations += report.iterations;
   if (report.ok && !dq.allFinite()) report = {false, report.iterations, "the solution is not finite"};
   if (!report.ok) ++counters_.failures;
+  system_.unknowns().clear_held(dq);   // zero only to the tolerance of an iterative solver, and errors would add up
   dv = c_ * dq - r_q;
+  system_.unknowns().clear_held(dv);
   return report;
 }
 
@@ -68,7 +74,8 @@ void CondensedNewton::add_damping_product(ConstVectorRef r_q, VectorRef right_si
   unknowns.scatter(r_q, shifted_v_);
   shifted_v_ += v_;
   system_.force({time_, q_, shifted_v_}, work_);
-  for (int r = 0; r < unknowns.rows(); ++r) point(right_side, r) += point(force_, r) - point(work_, unknowns.point_of_row()[static_cast<std::size_t>(r)]);
+  for (int r = 0; r < unknowns.rows(); ++r)
+    point(right_side, r) += point(force_, r) - point(work_, unknowns.point_of_row()[static_cast<std::size_t>(r)]);
 }
 
 }  // namespace sundrape

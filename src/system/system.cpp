@@ -10,7 +10,8 @@ System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unkno
     throw std::invalid_argument("masses, supports and coordinates differ in their number of points");
   if (!(mass_.minCoeff() > 0)) throw std::invalid_argument("every point needs a positive mass [kg]");
   row_mass_.resize(unknowns_.rows());
-  for (int r = 0; r < unknowns_.rows(); ++r) row_mass_[r] = mass_[unknowns_.point_of_row()[static_cast<std::size_t>(r)]];
+  for (int r = 0; r < unknowns_.rows(); ++r)
+    row_mass_[r] = mass_[unknowns_.point_of_row()[static_cast<std::size_t>(r)]];
   Pattern pattern(unknowns_.row_of_point());
   for (const auto& term : terms_) term->declare_pattern(pattern);
   auto built = pattern.build();
@@ -50,13 +51,26 @@ Energies System::energies(const State& all) const {
   for (const auto& term : terms_) {
     const double stored = term->energy(all);
     switch (term->kind()) {
-      case EnergyKind::membrane: e.membrane += stored; break;
-      case EnergyKind::shear: e.shear += stored; break;
-      case EnergyKind::bending: e.bending += stored; break;
-      case EnergyKind::gravity: e.gravity += stored; break;
-      case EnergyKind::contact: e.contact += stored; break;
-      case EnergyKind::load: e.load += stored; break;
-      case EnergyKind::none: break;
+      case EnergyKind::membrane:
+        e.membrane += stored;
+        break;
+      case EnergyKind::shear:
+        e.shear += stored;
+        break;
+      case EnergyKind::bending:
+        e.bending += stored;
+        break;
+      case EnergyKind::gravity:
+        e.gravity += stored;
+        break;
+      case EnergyKind::contact:
+        e.contact += stored;
+        break;
+      case EnergyKind::load:
+        e.load += stored;
+        break;
+      case EnergyKind::none:
+        break;
     }
   }
   return e;

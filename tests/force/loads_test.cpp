@@ -1,11 +1,11 @@
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 #include "sundrape/force/dead_load.hpp"
 #include "sundrape/force/drag.hpp"
 #include "sundrape/force/edge_moment.hpp"
 #include "sundrape/force/pressure.hpp"
+
 #include "support/force_term_checks.hpp"
 
 namespace sundrape {
@@ -38,7 +38,7 @@ TEST(Ramp, RisesSmoothlyFromZeroToOne) {
   EXPECT_NEAR(ramp.at(1), 0.5, 1e-15);
   EXPECT_EQ(ramp.at(2), 1);
   EXPECT_EQ(Ramp{}.at(0), 1);
-  EXPECT_NEAR(ramp.at(1e-3), 10 * 1.25e-10, 1e-12);   // starts with the third power
+  EXPECT_NEAR(ramp.at(1e-3), 10 * 1.25e-10, 1e-12);  // starts with the third power
 }
 
 TEST(Drag, TangentIsExactAndTakesTheEnergyItReports) {
@@ -47,7 +47,9 @@ TEST(Drag, TangentIsExactAndTakesTheEnergyItReports) {
   expect_dissipates_what_it_says(drag, random_state(3, 2));
 }
 
-TEST(EdgeMoment, TangentIsExact) { expect_consistent(EdgeMoment({{0, 1, {1e-4, -2e-4, 3e-4}}, {2, 1, {0, 1e-4, 0}}}), random_state(3, 3)); }
+TEST(EdgeMoment, TangentIsExact) {
+  expect_consistent(EdgeMoment({{0, 1, {1e-4, -2e-4, 3e-4}}, {2, 1, {0, 1e-4, 0}}}), random_state(3, 3));
+}
 
 TEST(EdgeMoment, HasTheMomentAcrossTheEdgeAndNoResultant) {
   const EdgeMoment term({{0, 1, {0, 2e-4, 0}}});

@@ -32,7 +32,7 @@ TestState scattered_over(const Obstacle& body, int count) {
     const auto d = body.distance(x);
     if (d.gap < -1e-2) continue;
     const double wanted = smoothing * (-0.5 + 1.6 * static_cast<double>(nodes.size()) / count);
-    nodes.push_back(x + (wanted - d.gap) * d.normal);
+    nodes.emplace_back(x + (wanted - d.gap) * d.normal);
   }
   return at(nodes);
 }

@@ -8,12 +8,16 @@ namespace sundrape {
 namespace {
 
 StretchSprings crossed_pair(double compression_factor, double relaxation_time) {
-  return {{{0, 1, 0.012, 640}, {1, 2, 0.009, 320}, {3, 0, 0.011, 100}}, EnergyKind::membrane, relaxation_time, compression_factor};
+  return {{{0, 1, 0.012, 640}, {1, 2, 0.009, 320}, {3, 0, 0.011, 100}},
+          EnergyKind::membrane,
+          relaxation_time,
+          compression_factor};
 }
 
 TEST(StretchSprings, ForceIsTheGradientOfTheEnergyAndTheTangentIsExact) {
   for (const double factor : {1.0, 0.2, 0.0})
-    for (const double time : {0.0, 1e-3}) expect_consistent(crossed_pair(factor, time), random_state(4, /*seed=*/7), /*relative=*/1e-6);
+    for (const double time : {0.0, 1e-3})
+      expect_consistent(crossed_pair(factor, time), random_state(4, /*seed=*/7), /*relative=*/1e-6);
 }
 
 TEST(StretchSprings, RigidMotionLeavesThemAtRest) {
@@ -23,7 +27,9 @@ TEST(StretchSprings, RigidMotionLeavesThemAtRest) {
 
 TEST(StretchSprings, ForcesAndMomentsBalance) { expect_self_equilibrated(crossed_pair(0.5, 1e-3), random_state(4, 3)); }
 
-TEST(StretchSprings, DampingTakesTheEnergyItReports) { expect_dissipates_what_it_says(crossed_pair(1.0, 1e-3), random_state(4, 5)); }
+TEST(StretchSprings, DampingTakesTheEnergyItReports) {
+  expect_dissipates_what_it_says(crossed_pair(1.0, 1e-3), random_state(4, 5));
+}
 
 TEST(StretchSprings, HangingThreadStretchesByItsWeight) {
   // chapter (38): a spring of E h w = 6.4 N carrying 0.064 N lengthens by 1 %
@@ -41,7 +47,7 @@ TEST(StretchSprings, CompressionIsSofterByItsFactor) {
   StretchSprings({{0, 1, 0.01, 640}}, EnergyKind::membrane, 0, 1).add_force({0, q, v}, whole);
   StretchSprings({{0, 1, 0.01, 640}}, EnergyKind::membrane, 0, 0.25).add_force({0, q, v}, part);
   EXPECT_NEAR(part[3], 0.25 * whole[3], 1e-15);
-  EXPECT_GT(whole[3], 0);   // pushes the shortened ends apart
+  EXPECT_GT(whole[3], 0);  // pushes the shortened ends apart
 }
 
 TEST(StretchSprings, RefuseWhatIsNoSpring) {

@@ -20,7 +20,7 @@ TEST(CaseDescription, PrintsSiValuesWithTheirUnits) {
   ends_with("cloth.size", "[0.2, 0.2] m");
   ends_with("material.density_area", "0.2384 kg/m^2");
   ends_with("fix.0.nodes", "{ near = [0, 0, 0] m }");
-  ends_with("fix.0.components", "[\"x\", \"y\"]");
+  ends_with("fix.0.components", R"(["x", "y"])");
   ends_with("load.0.acceleration", "[0, 0, -9.80665] m/s^2");
   ends_with("obstacle.0.place.translate", "[0, 0, -0.04] m");
   ends_with("contact.stiffness", "(from the load and `penetration`)");

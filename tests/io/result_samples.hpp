@@ -66,8 +66,9 @@ inline ResultHeader header(int cells, std::uint64_t expected_frames) {
   return header;
 }
 
-/// Entry `i` of the array numbered `array` in frame `frame`. The factors are powers of two, whose products are exact: the
-/// same number comes out whether or not the compiler contracts it to a fused multiply-add, which it decides anew at every place.
+/// Entry `i` of the array numbered `array` in frame `frame`. The factors are powers of two, whose products are exact:
+/// the same number comes out whether or not the compiler contracts it to a fused multiply-add, which it decides anew at
+/// every place.
 inline double entry(std::uint64_t frame, int array, Eigen::Index i) {
   return std::sin(0.125 * static_cast<double>(frame) + array) + 0x1p-10 * static_cast<double>(i);
 }

@@ -57,7 +57,7 @@ void expect_whole_checkpoint(const ResultReader& reader) {
 
 /// The first interpreter that has h5py; empty if none.
 std::string python_with_h5py() {
-  for (const std::string python : {"python3", "/usr/bin/python3"})
+  for (std::string python : {"python3", "/usr/bin/python3"})
     if (std::system((python + " -c 'import h5py, numpy' 2>/dev/null").c_str()) == 0) return python;
   return {};
 }

@@ -1,7 +1,5 @@
 #include "sundrape/io/result_writer.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mount.h>

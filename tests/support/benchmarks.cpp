@@ -98,6 +98,7 @@ std::vector<std::vector<int>> columns(const QuadMesh& strip) {
   for (int i = 0; i < strip.nodes(); ++i)
     by_place[std::lround(strip.material[static_cast<std::size_t>(i)].x() / resolution)].push_back(i);
   std::vector<std::vector<int>> columns;
+  columns.reserve(by_place.size());
   for (auto& [place, nodes] : by_place) columns.push_back(std::move(nodes));
   return columns;
 }

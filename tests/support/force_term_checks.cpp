@@ -1,11 +1,10 @@
 #include "support/force_term_checks.hpp"
 
-#include <gtest/gtest.h>
-
-#include <Eigen/Geometry>
-#include <cmath>
 #include <numeric>
 #include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 namespace sundrape {
 namespace {
@@ -22,7 +21,11 @@ double uniform(std::mt19937& random) { return std::uniform_real_distribution<>(-
 
 TestState random_state(int points, unsigned seed, double scale) {
   std::vector<Vector3> nodes;
-  for (int i = 0; i < points; ++i) nodes.emplace_back(scale * (i % 3), scale * (i / 3), 0.3 * scale * ((i * i) % 4));
+  nodes.reserve(static_cast<std::size_t>(points));
+  for (int i = 0; i < points; ++i) {
+    const int column = i % 3, row = i / 3;
+    nodes.emplace_back(scale * column, scale * row, 0.3 * scale * ((i * i) % 4));
+  }
   return perturbed(nodes, 0.3 * scale, 10 * scale, seed);
 }
 
@@ -54,7 +57,7 @@ Eigen::MatrixXd dense_tangent(const ForceTerm& term, const State& state, double 
 
 void expect_force_is_energy_gradient(const ForceTerm& term, const TestState& state, double relative) {
   TestState still = state;
-  still.v.setZero();   // the energy knows no rates
+  still.v.setZero();  // the energy knows no rates
   const Vector f = force(term, still);
   const double scale = std::max(f.cwiseAbs().maxCoeff(), 1e-300);
   const double step = 1e-5 * (state.q.maxCoeff() - state.q.minCoeff());
@@ -74,7 +77,8 @@ void expect_tangent_is_force_derivative(const ForceTerm& term, const TestState& 
   for (const auto& [dq, dv] : {std::pair{1.0, 0.0}, std::pair{0.0, 1.0}, std::pair{0.7, 0.02}}) {
     const Eigen::MatrixXd exact = dense_tangent(term, state, dq, dv, Symmetry::unsymmetric);
     const double scale = exact.cwiseAbs().maxCoeff();
-    const double step_q = 1e-5 * (state.q.maxCoeff() - state.q.minCoeff()), step_v = 1e-5 * std::max(1e-3, state.v.cwiseAbs().maxCoeff());
+    const double step_q = 1e-5 * (state.q.maxCoeff() - state.q.minCoeff()),
+                 step_v = 1e-5 * std::max(1e-3, state.v.cwiseAbs().maxCoeff());
     for (Eigen::Index k = 0; k < state.q.size(); ++k) {
       auto sample = [&](double step, bool rates) {
         TestState s = state;
@@ -82,7 +86,9 @@ void expect_tangent_is_force_derivative(const ForceTerm& term, const TestState& 
         return force(term, s);
       };
       auto slope = [&](double step, bool rates) -> Vector {
-        return (8 * (sample(step, rates) - sample(-step, rates)) - (sample(2 * step, rates) - sample(-2 * step, rates))) / (12 * step);
+        return (8 * (sample(step, rates) - sample(-step, rates)) -
+                (sample(2 * step, rates) - sample(-2 * step, rates))) /
+               (12 * step);
       };
       Vector column = Vector::Zero(state.q.size());
       if (dq != 0) column += dq * slope(step_q, false);

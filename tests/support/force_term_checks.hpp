@@ -3,21 +3,25 @@
 
 namespace sundrape {
 
-/// Random coordinates around a jittered grid of spacing `scale`, and random rates: nothing is straight, at rest or aligned.
+/// Random coordinates around a jittered grid of spacing `scale`, and random rates: nothing is straight, at rest or
+/// aligned.
 struct TestState {
   double time = 0;
   Vector q, v;
-  [[nodiscard]] operator State() const { return {time, q, v}; }   // NOLINT(google-explicit-constructor): reads as a state
+  [[nodiscard]] operator State() const {
+    return {time, q, v};
+  }  // NOLINT(google-explicit-constructor): reads as a state
 };
 [[nodiscard]] TestState random_state(int points, unsigned seed, double scale = 0.01);
 /// Given nodes moved by uniform noise of ± amplitude, with random rates of ± `speed`.
 [[nodiscard]] TestState perturbed(const std::vector<Vector3>& nodes, double amplitude, double speed, unsigned seed);
 
 /// The whole tangent of a term, dense: dq ∂f/∂q + dv ∂f/∂v, as an unsymmetric or a symmetric matrix keeps it.
-[[nodiscard]] Eigen::MatrixXd dense_tangent(const ForceTerm& term, const State& state, double dq, double dv, Symmetry symmetry);
+[[nodiscard]] Eigen::MatrixXd dense_tangent(const ForceTerm& term, const State& state, double dq, double dv,
+                                            Symmetry symmetry);
 
-/// Force against central differences of the energy (where there is one), tangent against central differences of the force.
-/// `relative` bounds |difference| / |largest entry|.
+/// Force against central differences of the energy (where there is one), tangent against central differences of the
+/// force. `relative` bounds |difference| / |largest entry|.
 void expect_force_is_energy_gradient(const ForceTerm& term, const TestState& state, double relative = 1e-6);
 void expect_tangent_is_force_derivative(const ForceTerm& term, const TestState& state, double relative = 1e-6);
 void expect_consistent(const ForceTerm& term, const TestState& state, double relative = 1e-6);

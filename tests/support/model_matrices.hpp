@@ -2,11 +2,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "sundrape/linalg/block_matrix.hpp"
 
@@ -75,7 +72,8 @@ inline ModelMatrix net_matrix(const NetModel& net) {
   const double shear = membrane / (2 * (1 + poisson));
   const auto node = [n](int i, int j) { return i + n * j; };
   const auto position = [&](int k) {
-    const double x = side * (k % n), y = side * (k / n);
+    const int column = k % n, row = k / n;
+    const double x = side * column, y = side * row;
     return Vector3(x, y, 0.06 * std::cos(9 * x + 2 * y) * std::sin(5 * x - 7 * y));
   };
 

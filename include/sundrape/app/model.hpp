@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "sundrape/force/bend_springs.hpp"
 #include "sundrape/force/obstacle_contact.hpp"
 #include "sundrape/force/stretch_springs.hpp"
-#include "sundrape/force/bend_springs.hpp"
 #include "sundrape/io/case.hpp"
 #include "sundrape/io/result.hpp"
 #include "sundrape/system/system.hpp"
@@ -21,19 +21,20 @@ struct CaseModel {
 
   QuadMesh mesh;
   std::unique_ptr<System> system;
-  Vector initial;                             // placed and wavy positions, 3N [m]
-  const ObstacleContact* contact = nullptr;   // owned by the system; null without obstacles
-  const StretchSprings* threads = nullptr;    // owned by the system
-  const BendSprings* bends = nullptr;         // owned by the system
+  Vector initial;                            // placed and wavy positions, 3N [m]
+  const ObstacleContact* contact = nullptr;  // owned by the system; null without obstacles
+  const StretchSprings* threads = nullptr;   // owned by the system
+  const BendSprings* bends = nullptr;        // owned by the system
   std::vector<ReactionSet> reactions;
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
-  double size = 0;                            // longest side of the rest shape's bounding box [m]
-  double gravity = 0;                         // |acceleration| [m/s²]; 9.80665 where there is no gravity
-  double weight = 0;                          // mass times |gravity load| [N]
+  double size = 0;     // longest side of the rest shape's bounding box [m]
+  double gravity = 0;  // |acceleration| [m/s²]; 9.80665 where there is no gravity
+  double weight = 0;   // mass times |gravity load| [N]
 };
 
-/// @throws CaseError  what only shows with the mesh at hand: selectors that pick nothing, sets that are not there, loads
+/// @throws CaseError  what only shows with the mesh at hand: selectors that pick nothing, sets that are not there,
+/// loads
 ///                    that find no edge, supports in conflict, a mesh that cannot be used
 [[nodiscard]] CaseModel build_model(const Case& c);
 

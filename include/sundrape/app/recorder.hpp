@@ -1,8 +1,9 @@
 #pragma once
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "sundrape/app/model.hpp"
 #include "sundrape/app/run_clock.hpp"
@@ -14,9 +15,9 @@ namespace sundrape {
 
 /// What a run has seen at its worst since its start, for the summary and for warnings.
 struct Extremes {
-  double largest_edge_strain = 0, smallest_edge_strain = 0;   // over all frames
-  double deepest_penetration = 0;                             // over all accepted steps [m]
-  double sharpest_bend = 0;                                   // over all frames [rad]
+  double largest_edge_strain = 0, smallest_edge_strain = 0;  // over all frames
+  double deepest_penetration = 0;                            // over all accepted steps [m]
+  double sharpest_bend = 0;                                  // over all frames [rad]
 };
 
 /// Turns states of a model into frames, probes and checkpoints of a result file, and keeps score of the extremes.
@@ -42,12 +43,12 @@ class Recorder {
   /// What an interrupted run left, if this one resumes it.
   struct Restart {
     double time = 0;
-    Vector q, v;   // 3N
+    Vector q, v;  // 3N
     EnergyAudit::Balance balance;
     double initial_energy = 0, step_size = 0;
-    std::vector<double> totals;   // as given to checkpoint()
+    std::vector<double> totals;  // as given to checkpoint()
     Extremes extremes;
-    double wall = 0, cpu = 0;     // [s]
+    double wall = 0, cpu = 0;  // [s]
   };
   [[nodiscard]] const std::optional<Restart>& restart() const { return restart_; }
 

@@ -12,9 +12,9 @@ enum class Verbosity { quiet, normal, verbose };
 struct RunOptions {
   std::filesystem::path case_file;
   std::vector<std::string> sets;
-  std::optional<std::filesystem::path> output;    // default: the case's name with .h5, in the current folder
-  std::optional<std::filesystem::path> resume;    // a result with a checkpoint
-  std::optional<std::filesystem::path> summary;   // JSON
+  std::optional<std::filesystem::path> output;   // default: the case's name with .h5, in the current folder
+  std::optional<std::filesystem::path> resume;   // a result with a checkpoint
+  std::optional<std::filesystem::path> summary;  // JSON
   int threads = 1;
   bool overwrite = false;
   Verbosity verbosity = Verbosity::normal;

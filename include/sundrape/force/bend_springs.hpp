@@ -9,11 +9,11 @@ namespace sundrape {
 
 /// Two consecutive edges of a thread line and the thread that crosses them.
 struct BendSpring {
-  int previous = 0, centre = 0, next = 0;   // nodes along the thread
-  int cross_from = 0, cross_to = 0;         // ends of the crossing chord; one of them is the centre on a boundary
-  double skew = 0;                          // the hinge axis is (x_to − x_from) − skew (x_next − x_previous)
-  double rest_angle = 0;                    // [rad]
-  double stiffness = 0;                     // B w / s [N m]: bending rigidity, tributary width, length along the thread
+  int previous = 0, centre = 0, next = 0;  // nodes along the thread
+  int cross_from = 0, cross_to = 0;        // ends of the crossing chord; one of them is the centre on a boundary
+  double skew = 0;                         // the hinge axis is (x_to − x_from) − skew (x_next − x_previous)
+  double rest_angle = 0;                   // [rad]
+  double stiffness = 0;                    // B w / s [N m]: bending rigidity, tributary width, length along the thread
 };
 
 /// Bending of the particle net between consecutive edges of its thread lines.
@@ -41,9 +41,9 @@ class BendSprings final : public ForceTerm {
  private:
   /// The five points of a spring: previous, centre, next, then the ends of the crossing chord that are not the centre.
   struct Element {
-    std::array<int, 5> points;    // −1 where a boundary spring has only one crossing neighbour
+    std::array<int, 5> points;  // −1 where a boundary spring has only one crossing neighbour
     double skew;
-    double centre_in_cross;       // weight of the centre in the crossing chord: 0 inside, ±1 on a boundary
+    double centre_in_cross;  // weight of the centre in the crossing chord: 0 inside, ±1 on a boundary
     double rest_angle, stiffness;
   };
   struct Edges;

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
@@ -9,9 +8,9 @@ namespace sundrape {
 /// The first edge of a thread that leaves a clamped node.
 struct ClampSpring {
   int node = 0, next = 0;
-  Vector3 direction;        // the slope that the clamp holds, along the thread [-]
-  Vector3 axis;             // hinge axis, in the sheet and across the thread [-]
-  double stiffness = 0;     // B w / (b/2) [N m]
+  Vector3 direction;     // the slope that the clamp holds, along the thread [-]
+  Vector3 axis;          // hinge axis, in the sheet and across the thread [-]
+  double stiffness = 0;  // B w / (b/2) [N m]
 };
 
 /// Clamped edges of the particle net hold the slope.

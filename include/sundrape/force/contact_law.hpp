@@ -31,16 +31,16 @@ class ContactLaw {
 struct ContactLoad {
   double weight_per_area;  // of the cloth [N/m²]
   double diagonal;         // of the sheet [m]
-  double spread;           // width over which the cloth spreads a load [m]: a cell, or half the bending length (B/w)^⅓ if larger
+  double spread;  // width over which the cloth spreads a load [m]: a cell, or half the bending length (B/w)^⅓ if larger
 };
 
 /// A stiffness that keeps landing cloth from sinking deeper than is allowed [N/m³]:
-/// k = 32 · weight_per_area · (diagonal / spread) / penetration.
+/// k = 64 · weight_per_area · (diagonal / spread) / penetration.
 ///
 /// Where cloth hangs over an edge, the overhang, at most the diagonal, presses on a strip as wide as `spread`. At the
 /// corners of a table threads of both families pull down, and in landing they pull several times their weight: the
 /// chapter's tablecloth presses with up to twice its whole weight on one node of 1 cm² (measured on the 4 cm and the
-/// 8 cm table with meshes of 21² and 41² nodes), which the factor 32 covers.
+/// 8 cm table with meshes of 21² and 41² nodes), which the factor covers twice over, for finer meshes sink deeper.
 /// @param penetration  allowed below the surface [m]
 /// @throws std::invalid_argument  unless all are positive
 [[nodiscard]] double suggested_stiffness(const ContactLoad& load, double penetration);

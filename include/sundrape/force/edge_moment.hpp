@@ -8,8 +8,8 @@ namespace sundrape {
 
 /// The last edge of a thread that ends at a loaded node, and the moment that it carries.
 struct LoadedEdge {
-  int inner = 0, end = 0;   // e = x_end − x_inner
-  Vector3 moment;           // [N m], fixed in space
+  int inner = 0, end = 0;  // e = x_end − x_inner
+  Vector3 moment;          // [N m], fixed in space
 };
 
 /// A moment on an edge of the sheet, applied as couples on the last edges of its threads.

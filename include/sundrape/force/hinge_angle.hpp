@@ -1,6 +1,7 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 #include "sundrape/types.hpp"
 
@@ -9,11 +10,11 @@ namespace sundrape {
 /// The angle from edge a to edge b about an axis c, with its derivatives.
 ///
 /// φ = atan2((a×b)·c, |c| a·b − (a·c)(b·c)/|c|): the turn of a thread about the thread that crosses it. Turning an
-/// edge towards c, in the plane of both, leaves φ alone, so it measures bending out of the sheet and no shear inside it;
-/// φ has a sign, and it is smooth through a straight thread. All vectors in metres, φ in (−π, π).
+/// edge towards c, in the plane of both, leaves φ alone, so it measures bending out of the sheet and no shear inside
+/// it; φ has a sign, and it is smooth through a straight thread. All vectors in metres, φ in (−π, π).
 struct HingeAngle {
   double angle;
-  Vector3 ga, gb, gc;                   // ∂φ/∂a, ∂φ/∂b, ∂φ/∂c [1/m]
+  Vector3 ga, gb, gc;  // ∂φ/∂a, ∂φ/∂b, ∂φ/∂c [1/m]
 
   HingeAngle(const Vector3& a, const Vector3& b, const Vector3& c);
 };
@@ -69,7 +70,8 @@ inline HingeCurvature::HingeCurvature(const Vector3& a, const Vector3& b, const 
   // gc = −α ga − β gb with α = a·c/|c|², β = b·c/|c|²
   const double alpha = a.dot(c) / square, beta = b.dot(c) / square;
   const Vector3 alpha_by_c = (a - 2 * alpha * c) / square, beta_by_c = (b - 2 * beta * c) / square;
-  cc = hinge::turn(a, c, length) * alpha_by_c.transpose() - hinge::turn(b, c, length) * beta_by_c.transpose() - alpha * ac - beta * bc;
+  cc = hinge::turn(a, c, length) * alpha_by_c.transpose() - hinge::turn(b, c, length) * beta_by_c.transpose() -
+       alpha * ac - beta * bc;
 }
 
 }  // namespace sundrape

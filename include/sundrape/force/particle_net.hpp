@@ -15,14 +15,17 @@ namespace sundrape {
 ///
 /// @param placed   positions of the nodes where the sheet was put, N [m]: clamps hold the slopes that it has there
 /// @param clamped  nodes whose slopes are held, N entries
-[[nodiscard]] std::vector<std::unique_ptr<ForceTerm>> particle_net(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
-                                                                   const std::vector<Vector3>& placed, const std::vector<bool>& clamped);
+[[nodiscard]] std::vector<std::unique_ptr<ForceTerm>> particle_net(const QuadMesh& mesh, const Threads& threads,
+                                                                   const Fabric& fabric,
+                                                                   const std::vector<Vector3>& placed,
+                                                                   const std::vector<bool>& clamped);
 
 /// Lumped masses: area density times tributary area, N [kg].
 [[nodiscard]] Vector lumped_mass(const QuadMesh& mesh, const Fabric& fabric);
 
 /// A moment [N m] on the threads that end at `nodes`, shared by tributary length of the boundary between them.
 /// @throws std::invalid_argument  no boundary edge between the nodes, or no thread that ends there
-[[nodiscard]] std::vector<LoadedEdge> moment_on_edge(const QuadMesh& mesh, const Threads& threads, const std::vector<int>& nodes, const Vector3& total);
+[[nodiscard]] std::vector<LoadedEdge> moment_on_edge(const QuadMesh& mesh, const Threads& threads,
+                                                     const std::vector<int>& nodes, const Vector3& total);
 
 }  // namespace sundrape

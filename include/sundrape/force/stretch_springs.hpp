@@ -8,9 +8,9 @@ namespace sundrape {
 
 /// A straight spring between two nodes: a thread segment, or a diagonal of a cell.
 struct StretchSpring {
-  int i = 0, j = 0;         // end nodes
-  double length = 0;        // rest length b [m]
-  double stiffness = 0;     // E h w / b [N/m], w the tributary width of cloth that the spring stands for
+  int i = 0, j = 0;      // end nodes
+  double length = 0;     // rest length b [m]
+  double stiffness = 0;  // E h w / b [N/m], w the tributary width of cloth that the spring stands for
 };
 
 /// Stretching of the particle net along its edges.
@@ -23,7 +23,8 @@ class StretchSprings final : public ForceTerm {
   /// @param relaxation_time     β of the Kelvin–Voigt damping [s], ≥ 0
   /// @param compression_factor  D' for shortened springs, in [0, 1]
   /// @throws std::invalid_argument  out of range, or a spring without length or stiffness
-  StretchSprings(std::vector<StretchSpring> springs, EnergyKind kind, double relaxation_time = 0, double compression_factor = 1);
+  StretchSprings(std::vector<StretchSpring> springs, EnergyKind kind, double relaxation_time = 0,
+                 double compression_factor = 1);
 
   [[nodiscard]] std::string_view name() const override { return "stretch springs"; }
   [[nodiscard]] EnergyKind kind() const override { return kind_; }

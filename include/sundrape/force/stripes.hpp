@@ -1,11 +1,11 @@
 #pragma once
-#include <omp.h>
-
 #include <cstddef>
 #include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include <omp.h>
 
 namespace sundrape {
 
@@ -30,7 +30,8 @@ class Stripes {
     }
     for (int colour = 0; colour < 2; ++colour) {
 #pragma omp parallel for schedule(static)
-      for (int s = colour; s < stripes; s += 2) body(bounds_[static_cast<std::size_t>(s)], bounds_[static_cast<std::size_t>(s) + 1]);
+      for (int s = colour; s < stripes; s += 2)
+        body(bounds_[static_cast<std::size_t>(s)], bounds_[static_cast<std::size_t>(s) + 1]);
     }
   }
 
@@ -50,7 +51,7 @@ class Stripes {
   }
 
  private:
-  std::vector<std::size_t> bounds_;   // stripe s is [bounds_[s], bounds_[s + 1])
+  std::vector<std::size_t> bounds_;  // stripe s is [bounds_[s], bounds_[s + 1])
 };
 
 }  // namespace sundrape

@@ -22,9 +22,11 @@ enum class DynamicsEnd { reached, stopped };
 class Dynamics {
  public:
   /// @param frame_times  ascending; the last is the end of the run [s]
-  Dynamics(const System& system, Integrator& integrator, std::vector<double> frame_times, DynamicsObserver& observer, EventSource* events = nullptr);
+  Dynamics(const System& system, Integrator& integrator, std::vector<double> frame_times, DynamicsObserver& observer,
+           EventSource* events = nullptr);
 
-  /// From a state of all points; frames at or before `time` are taken as written unless `first_frame` asks for the one at `time`.
+  /// From a state of all points; frames at or before `time` are taken as written unless `first_frame` asks for the one
+  /// at `time`.
   /// @throws IntegrationFailure
   DynamicsEnd run(double time, ConstVectorRef q, ConstVectorRef v, bool first_frame);
 
@@ -44,9 +46,9 @@ class Dynamics {
   DynamicsObserver& observer_;
   EventSource* events_;
   double time_ = 0;
-  Vector q_, v_;                 // all points, after the last step
-  Vector frame_q_, frame_v_;     // all points, of a frame
-  Vector rows_q_, rows_v_;       // unknowns, work
+  Vector q_, v_;              // all points, after the last step
+  Vector frame_q_, frame_v_;  // all points, of a frame
+  Vector rows_q_, rows_v_;    // unknowns, work
   std::unique_ptr<EnergyAudit> audit_;
   std::optional<std::pair<EnergyAudit::Balance, double>> carried_;
 };

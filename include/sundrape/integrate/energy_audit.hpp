@@ -9,14 +9,15 @@ namespace sundrape {
 /// A step's heat and work are its length times the powers at its middle, with rates Δq/h: second order for smooth
 /// motion, and blind to what stiff rates at the ends of a step look like, which no error test watches closely.
 ///
-///     method_dissipated = E(0) + external_work − dissipated − E(t),   E = kinetic + stored without the loads' potential
+///     method_dissipated = E(0) + external_work − dissipated − E(t),   E = kinetic + stored without the loads'
+///     potential
 class EnergyAudit {
  public:
   struct Balance {
     Energies energies;
-    double dissipated = 0;          // by damping and impacts so far [J]
-    double external_work = 0;       // of loads so far [J]
-    double method_dissipated = 0;   // by the integration method so far [J]
+    double dissipated = 0;         // by damping and impacts so far [J]
+    double external_work = 0;      // of loads so far [J]
+    double method_dissipated = 0;  // by the integration method so far [J]
   };
 
   /// The books open at a state of all points.
@@ -32,13 +33,13 @@ class EnergyAudit {
 
  private:
   const System& system_;
-  double initial_energy_, initial_load_;      // [J]
-  double start_ = 0, end_ = 0;                // of the last step [s]
-  double power_out_ = 0, power_in_ = 0;       // over the last step [W]
-  double dissipated_ = 0, fed_in_ = 0;        // until the last step began [J]
+  double initial_energy_, initial_load_;  // [J]
+  double start_ = 0, end_ = 0;            // of the last step [s]
+  double power_out_ = 0, power_in_ = 0;   // over the last step [W]
+  double dissipated_ = 0, fed_in_ = 0;    // until the last step began [J]
   double impact_loss_ = 0;
-  Vector q_;                                  // where the last step ended, 3P
-  Vector middle_, rate_;                      // work
+  Vector q_;              // where the last step ended, 3P
+  Vector middle_, rate_;  // work
   double carried_work_ = 0;
 };
 

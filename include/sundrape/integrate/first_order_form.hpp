@@ -22,7 +22,7 @@ class FirstOrderForm {
 
  private:
   const System& system_;
-  Vector q_, v_, f_;   // all points
+  Vector q_, v_, f_;  // all points
   long evaluations_ = 0;
 };
 

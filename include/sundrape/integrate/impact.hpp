@@ -29,7 +29,8 @@ class Impact final : public EventSource {
   const ObstacleContact& contact_;
   Vector mass_;
   double restitution_, smallest_speed_;
-  std::vector<bool> carried_;   // nodes that the penalty force has; they have no impact until they are twice the reach away
+  std::vector<bool>
+      carried_;  // nodes that the penalty force has; they have no impact until they are twice the reach away
   double dissipated_ = 0;
 };
 

@@ -2,10 +2,8 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "sundrape/integrate/error_weights.hpp"
 #include "sundrape/integrate/events.hpp"
 #include "sundrape/system/condensed_newton.hpp"
 
@@ -19,24 +17,26 @@ class IntegrationFailure : public std::runtime_error {
 
 struct IntegratorOptions {
   double rtol = 1e-4;
-  double atol_position = 0;             // [m]
-  double atol_velocity = 0;             // [m/s]
+  double atol_position = 0;  // [m]
+  double atol_velocity = 0;  // [m/s]
   int max_order = 2;
-  std::optional<double> first_step, max_step;   // [s]
-  double fixed_step = 0;                // [s], Runge–Kutta only
-  double linear_tolerance = 1e-4;       // of iterative linear solves, relative; at 1e-2 soft modes drown in the membrane's residual
+  std::optional<double> first_step, max_step;  // [s]
+  double fixed_step = 0;                       // [s], Runge–Kutta only
+  double linear_tolerance =
+      1e-4;  // of iterative linear solves, relative; at 1e-2 soft modes drown in the membrane's residual
 };
 
 struct IntegratorStatistics {
-  long steps = 0, force_evaluations = 0, newton_iterations = 0, error_test_failures = 0, step_solve_failures = 0, restarts = 0;
+  long steps = 0, force_evaluations = 0, newton_iterations = 0, error_test_failures = 0, step_solve_failures = 0,
+       restarts = 0;
   CondensedNewton::Counters linear;
 };
 
 /// What one internal step ended with.
 struct StepReport {
-  double time = 0, step_size = 0;   // [s]
+  double time = 0, step_size = 0;  // [s]
   int order = 0;
-  bool event = false;               // stopped at a root of the events, before the step's end
+  bool event = false;  // stopped at a root of the events, before the step's end
 };
 
 /// Advances the unknowns of a system by internal steps of its own choice.
@@ -58,12 +58,13 @@ class Integrator {
 };
 
 /// CVODE's BDF on ẏ = (v, M⁻¹ f).
-[[nodiscard]] std::unique_ptr<Integrator> make_cvode(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options,
-                                                     EventSource* events = nullptr);
+[[nodiscard]] std::unique_ptr<Integrator> make_cvode(const System& system, std::unique_ptr<LinearSolver> solver,
+                                                     const IntegratorOptions& options, EventSource* events = nullptr);
 /// IDA's BDF on the residual (q̇ − v, M v̇ − f).
-[[nodiscard]] std::unique_ptr<Integrator> make_ida(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options,
-                                                   EventSource* events = nullptr);
+[[nodiscard]] std::unique_ptr<Integrator> make_ida(const System& system, std::unique_ptr<LinearSolver> solver,
+                                                   const IntegratorOptions& options, EventSource* events = nullptr);
 /// The classical fourth-order Runge–Kutta method with a fixed step (chapter §3.3), through ARKODE.
-[[nodiscard]] std::unique_ptr<Integrator> make_rk4(const System& system, const IntegratorOptions& options, EventSource* events = nullptr);
+[[nodiscard]] std::unique_ptr<Integrator> make_rk4(const System& system, const IntegratorOptions& options,
+                                                   EventSource* events = nullptr);
 
 }  // namespace sundrape

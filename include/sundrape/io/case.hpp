@@ -165,10 +165,10 @@ struct DynamicsCase {
 };
 
 struct RelaxationCase {
-  double tolerance = 1e-6;          // on |out-of-balance force| / |external force|
-  std::string scheme = "implicit";  // implicit | chapter
+  double tolerance = 1e-6;            // on |out-of-balance force| / |external force|
+  std::string scheme = "implicit";    // implicit | chapter
   std::optional<int> max_iterations;  // default 2000; of the chapter's scheme 1,000,000
-  std::optional<double> first_step;  // [s]
+  std::optional<double> first_step;   // [s]
   double growth = 1.3;
   std::string linear_solver = "auto";
   std::optional<double> c_disp;      // [m/N] of the chapter's scheme; default: a safe one from the stiffest mode

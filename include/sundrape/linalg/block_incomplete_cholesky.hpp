@@ -1,5 +1,5 @@
 #pragma once
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 #include "sundrape/linalg/preconditioner.hpp"

@@ -1,18 +1,17 @@
 #pragma once
-#include <string>
 
 namespace sundrape {
 
 /// A fabric as resultants per unit width: what a sheet needs to know, whatever its thickness was measured to be.
 struct Fabric {
-  double thickness = 0;          // h [m]
-  double area_density = 0;       // mass per area [kg/m²]
-  double poisson = 0;            // ν
-  double warp_membrane = 0;      // E₁ h [N/m]
-  double weft_membrane = 0;      // E₂ h [N/m]
-  double shear_membrane = 0;     // G h [N/m]
-  double warp_bending = 0;       // bending rigidity per width, E h³/(12 (1 − ν²)) unless measured [N m]
-  double weft_bending = 0;       // [N m]
+  double thickness = 0;       // h [m]
+  double area_density = 0;    // mass per area [kg/m²]
+  double poisson = 0;         // ν
+  double warp_membrane = 0;   // E₁ h [N/m]
+  double weft_membrane = 0;   // E₂ h [N/m]
+  double shear_membrane = 0;  // G h [N/m]
+  double warp_bending = 0;    // bending rigidity per width, E h³/(12 (1 − ν²)) unless measured [N m]
+  double weft_bending = 0;    // [N m]
 
   struct Damping {
     double mass = 0;         // drag against still air, per mass [1/s]
@@ -20,12 +19,12 @@ struct Fabric {
     double bending = 3e-4;   // Kelvin–Voigt relaxation time of bending [s]
   } damping;
 
-  struct Net {   // the free parameters of the particle net (chapter §3.1)
-    double compression_factor = 1;   // D' of a shortened thread (38)
-    double shear_factor = 1;         // B' (43)
-    bool diagonal_springs = false;   // false: in-plane shear from the difference of a cell's diagonals; true: one spring
-                                     // a diagonal as in (43), which also stiffens the threads
-    double diagonal_compression_factor = 1;   // B' of the shorter diagonal, with diagonal_springs
+  struct Net {                      // the free parameters of the particle net (chapter §3.1)
+    double compression_factor = 1;  // D' of a shortened thread (38)
+    double shear_factor = 1;        // B' (43)
+    bool diagonal_springs = false;  // false: in-plane shear from the difference of a cell's diagonals; true: one spring
+                                    // a diagonal as in (43), which also stiffens the threads
+    double diagonal_compression_factor = 1;  // B' of the shorter diagonal, with diagonal_springs
   } net;
 };
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "sundrape/linalg/linear_solver.hpp"
@@ -9,20 +7,20 @@
 namespace sundrape {
 
 struct RelaxationOptions {
-  double tolerance = 1e-6;    // on |out-of-balance force| / |external force|
+  double tolerance = 1e-6;  // on |out-of-balance force| / |external force|
   int max_iterations = 2000;
-  double first_step = 1e-3;   // [s]
-  double growth = 1.3;        // of the step from one iteration to the next
-  double force_scale = 0;     // compared with instead of the external force where there is none [N]
+  double first_step = 1e-3;  // [s]
+  double growth = 1.3;       // of the step from one iteration to the next
+  double force_scale = 0;    // compared with instead of the external force where there is none [N]
 };
 
 /// One accepted (or refused) iteration.
 struct RelaxationStep {
   int iteration = 0;
-  double time = 0, step_size = 0;   // of the fictitious motion [s]
-  double residual = 0;              // |out-of-balance force| / |external force|
-  double kinetic = 0;               // [J]
-  int refused = 0;                  // tries that this step took beyond the first
+  double time = 0, step_size = 0;  // of the fictitious motion [s]
+  double residual = 0;             // |out-of-balance force| / |external force|
+  double kinetic = 0;              // [J]
+  int refused = 0;                 // tries that this step took beyond the first
 };
 
 class RelaxationObserver {
@@ -38,17 +36,18 @@ struct RelaxationResult {
   RelaxationEnd end = RelaxationEnd::converged;
   int iterations = 0, factorizations = 0;
   double residual = 0;
-  std::string diagnosis;   // why it stalled and what to try
+  std::string diagnosis;  // why it stalled and what to try
 };
 
 /// Finds an equilibrium by damped motion whose steps grow until they are Newton's.
 ///
-/// Each iteration is a linearly implicit Euler step of the undamped system, (M/h² + K) Δq = f(q) + M v/h, v = Δq/h, with
-/// kinetic damping: rates are zeroed when the force does negative work on them. h grows by `growth`; a step is refused
-/// and h cut where the matrix is not positive definite or the residual jumps 300-fold. While M/h² matters the motion is
-/// downhill, so it leaves saddles (but not a symmetric path: start from a wavy sheet); when it no longer does, the last
-/// steps converge quadratically.
-[[nodiscard]] RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options, Vector& q, RelaxationObserver& observer);
+/// Each iteration is a linearly implicit Euler step of the undamped system, (M/h² + K) Δq = f(q) + M v/h, v = Δq/h,
+/// with kinetic damping: rates are zeroed when the force does negative work on them. h grows by `growth`; a step is
+/// refused and h cut where the matrix is not positive definite or the residual jumps 300-fold. While M/h² matters the
+/// motion is downhill, so it leaves saddles (but not a symmetric path: start from a wavy sheet); when it no longer
+/// does, the last steps converge quadratically.
+[[nodiscard]] RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options,
+                                     Vector& q, RelaxationObserver& observer);
 
 /// |Σ f| over the unknowns, relative to the external force (or force_scale where that vanishes).
 [[nodiscard]] double relative_residual(const System& system, const State& all, double force_scale);

@@ -17,7 +17,7 @@ class CondensedNewton {
  public:
   struct Counters {
     long factorizations = 0, solves = 0, linear_iterations = 0, failures = 0;
-    double assembly_seconds = 0, factor_seconds = 0, solve_seconds = 0;   // wall clock
+    double assembly_seconds = 0, factor_seconds = 0, solve_seconds = 0;  // wall clock
   };
 
   /// @param tolerance  of the linear solves, relative
@@ -25,7 +25,8 @@ class CondensedNewton {
 
   /// Assembles and factors c² M + c C + K at a state of the unknowns (rows, 3n).
   FactorStatus prepare(double time, double c, ConstVectorRef q, ConstVectorRef v);
-  /// Tells the forces [N] over the unknowns where the matrix was assembled, if they are at hand: it saves evaluating them.
+  /// Tells the forces [N] over the unknowns where the matrix was assembled, if they are at hand: it saves evaluating
+  /// them.
   void know_forces(ConstVectorRef rows);
   /// All vectors are rows, 3n; r_v is a force [N], r_q a rate [m/s].
   SolveReport solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv);
@@ -42,10 +43,10 @@ class CondensedNewton {
   std::unique_ptr<LinearSolver> solver_;
   BlockMatrix matrix_;
   double tolerance_, c_ = 0, time_ = 0;
-  Vector q_, v_;                              // all points, where the matrix was assembled
-  Vector shifted_v_, work_;      // all points, work
-  Vector right_side_, force_;    // rows
-  bool force_known_ = false;     // force_ is that where the matrix was assembled
+  Vector q_, v_;               // all points, where the matrix was assembled
+  Vector shifted_v_, work_;    // all points, work
+  Vector right_side_, force_;  // rows
+  bool force_known_ = false;   // force_ is that where the matrix was assembled
   Counters counters_;
 };
 

@@ -27,8 +27,8 @@ class System {
   System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest);
 
   [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
-  [[nodiscard]] const Vector& mass() const { return mass_; }             // P [kg]
-  [[nodiscard]] const Vector& row_mass() const { return row_mass_; }     // n [kg]
+  [[nodiscard]] const Vector& mass() const { return mass_; }          // P [kg]
+  [[nodiscard]] const Vector& row_mass() const { return row_mass_; }  // n [kg]
   [[nodiscard]] const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
   [[nodiscard]] const BlockStructure& structure() const { return structure_; }
 
@@ -43,8 +43,8 @@ class System {
   void hold(BlockMatrix& matrix) const;
 
   [[nodiscard]] Energies energies(const State& all) const;
-  [[nodiscard]] double dissipated_power(const State& all) const;   // [W]
-  [[nodiscard]] double external_power(const State& all) const;     // [W]
+  [[nodiscard]] double dissipated_power(const State& all) const;  // [W]
+  [[nodiscard]] double external_power(const State& all) const;    // [W]
   /// |forces of loads and gravity| over the unknowns [N]: what the out-of-balance force is compared with.
   [[nodiscard]] double external_force_norm(const State& all) const;
 
@@ -54,7 +54,7 @@ class System {
   Unknowns unknowns_;
   Vector rest_;
   BlockStructure structure_;
-  std::vector<SlotTable> tables_;   // one a term
+  std::vector<SlotTable> tables_;  // one a term
 };
 
 }  // namespace sundrape

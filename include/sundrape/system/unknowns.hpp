@@ -17,15 +17,17 @@ class Unknowns {
     int row, component;
   };
 
-  explicit Unknowns(std::vector<Held> held);   // one entry a point
+  explicit Unknowns(std::vector<Held> held);  // one entry a point
 
   [[nodiscard]] int points() const { return static_cast<int>(held_.size()); }
-  [[nodiscard]] int rows() const { return static_cast<int>(point_of_row_.size()); }      // points that are unknown
+  [[nodiscard]] int rows() const { return static_cast<int>(point_of_row_.size()); }  // points that are unknown
   [[nodiscard]] Eigen::Index size() const { return 3 * static_cast<Eigen::Index>(rows()); }
-  [[nodiscard]] const std::vector<int>& row_of_point() const { return row_of_point_; }   // −1 where the point is held
+  [[nodiscard]] const std::vector<int>& row_of_point() const { return row_of_point_; }  // −1 where the point is held
   [[nodiscard]] const std::vector<int>& point_of_row() const { return point_of_row_; }
   [[nodiscard]] const std::vector<HeldComponent>& held_components() const { return held_components_; }
-  [[nodiscard]] bool is_held(int point, int component) const { return held_[static_cast<std::size_t>(point)][static_cast<std::size_t>(component)]; }
+  [[nodiscard]] bool is_held(int point, int component) const {
+    return held_[static_cast<std::size_t>(point)][static_cast<std::size_t>(component)];
+  }
 
   /// all (3P) → rows (3n)
   void gather(ConstVectorRef all, VectorRef rows) const;
