@@ -177,6 +177,19 @@ double waviness(const Case& c, double thickness_scale) {
   return std::min(1e-5, 0.02 * thickness_scale);
 }
 
+/// Cloth that starts on an obstacle would spring off it, since the contact force sets in above the surface: nodes
+/// within its reach start where it carries their own weight.
+void lay_on_obstacles(const ObstacleContact& contact, double weight_per_area, const Supports& supports,
+                      std::vector<Vector3>& positions) {
+  const double reach = contact.law().smoothing(), rest = contact.law().gap_under(weight_per_area);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto [gap, normal] = contact.closest(positions[i]);
+    if (!(std::abs(gap) <= reach) || gap >= rest) continue;
+    for (int k = 0; k < 3; ++k)
+      if (!supports.held[i][static_cast<std::size_t>(k)]) positions[i][k] += (rest - gap) * normal[k];
+  }
+}
+
 }  // namespace
 
 CaseModel build_model(const Case& c) {
@@ -202,6 +215,8 @@ CaseModel build_model(const Case& c) {
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.held[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
+  if (model.contact != nullptr)
+    lay_on_obstacles(*model.contact, c.fabric.area_density * model.gravity, supports, start);
   model.initial = flatten(start);
   Unknowns unknowns(supports.held);
   if (unknowns.rows() == 0)

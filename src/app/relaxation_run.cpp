@@ -13,7 +13,8 @@ namespace sundrape {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int frame_every = 5;  // iterations
+constexpr double largest_move = 0.025;  // of a node in one iteration, over the size of the sheet
+constexpr int frame_every = 5;          // iterations
 
 SolverKind solver_kind(const Case& c) {
   if (c.relaxation.linear_solver == "lu") return SolverKind::lu;
@@ -163,6 +164,7 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
                     .max_iterations = c.relaxation.max_iterations.value_or(2000),
                     .first_step = first_step,
                     .growth = c.relaxation.growth,
+                    .largest_move = largest_move * model.size,
                     .force_scale = force_scale},
                    q, watch);
   }

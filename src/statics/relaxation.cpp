@@ -98,6 +98,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
       for (int r = 0; r < unknowns.rows(); ++r) point(right_side, r) += system.row_mass()[r] / h * point(v, r);
       unknowns.clear_held(right_side);
       if (!solver.solve(right_side, step, 1e-8).ok || !step.allFinite() || step.dot(right_side) <= 0) continue;
+      if (options.largest_move > 0 && step.cwiseAbs().maxCoeff() > options.largest_move) continue;
       tried = q;
       unknowns.scatter(rows_q + step, tried);
       const double residual = balance.evaluate(tried);

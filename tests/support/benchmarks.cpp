@@ -54,6 +54,7 @@ Equilibrium equilibrium(const Benchmark& b, double tolerance) {
   RelaxationOptions options;
   options.tolerance = tolerance;
   options.first_step = b.c.relaxation.first_step.value_or(0.01 * std::sqrt(b.model.size / b.model.gravity));
+  options.largest_move = 0.025 * b.model.size;  // as the command line does
   options.growth = b.c.relaxation.growth;
   e.result = relax(*b.model.system, *solver, options, e.q, silent);
   EXPECT_EQ(e.result.end, RelaxationEnd::converged) << e.result.diagnosis;

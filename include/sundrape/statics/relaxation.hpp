@@ -11,6 +11,7 @@ struct RelaxationOptions {
   int max_iterations = 2000;
   double first_step = 1e-3;  // [s]
   double growth = 1.3;       // of the step from one iteration to the next
+  double largest_move = 0;   // of a node in one iteration [m], so that none jumps through an obstacle; 0: no limit
   double force_scale = 0;    // compared with instead of the external force where there is none [N]
 };
 
@@ -43,9 +44,9 @@ struct RelaxationResult {
 ///
 /// Each iteration is a linearly implicit Euler step of the undamped system, (M/h² + K) Δq = f(q) + M v/h, v = Δq/h,
 /// with kinetic damping: rates are zeroed when the force does negative work on them. h grows by `growth`; a step is
-/// refused and h cut where the matrix is not positive definite or the residual jumps 300-fold. While M/h² matters the
-/// motion is downhill, so it leaves saddles (but not a symmetric path: start from a wavy sheet); when it no longer
-/// does, the last steps converge quadratically.
+/// refused and h cut where the matrix is not positive definite or the residual jumps 300-fold, or a node would move
+/// further than `largest_move`. While M/h² matters the motion is downhill, so it leaves saddles (but not a symmetric
+/// path: start from a wavy sheet); when it no longer does, the last steps converge quadratically.
 [[nodiscard]] RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options,
                                      Vector& q, RelaxationObserver& observer);
 
