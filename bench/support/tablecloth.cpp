@@ -1,10 +1,8 @@
 #include "support/tablecloth.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/io/case_reader.hpp"
 
 namespace sundrape {
@@ -14,10 +12,10 @@ Tablecloth tablecloth(int nodes, std::vector<std::string> sets) {
   const Case c = read_case(SUNDRAPE_CASES "/tablecloth.toml", sets);
   Tablecloth cloth{.model = build_model(c), .options = {}, .q = {}, .v = {}};
   const double rtol = c.dynamics.rtol;
-  const double speed = std::sqrt(cloth.model.gravity * cloth.model.size);
+  const auto defaults = default_tolerances(rtol, cloth.model.size, cloth.model.gravity);
   cloth.options.rtol = rtol;
-  cloth.options.atol_position = c.dynamics.atol_position.value_or(0.25 * rtol * cloth.model.size);
-  cloth.options.atol_velocity = c.dynamics.atol_velocity.value_or(std::min(0.01, 100 * rtol) * speed);
+  cloth.options.atol_position = c.dynamics.atol_position.value_or(defaults.position);
+  cloth.options.atol_velocity = c.dynamics.atol_velocity.value_or(defaults.velocity);
   cloth.options.max_order = c.dynamics.max_order;
   cloth.q.resize(cloth.system().unknowns().size());
   cloth.system().unknowns().gather(cloth.model.initial, cloth.q);

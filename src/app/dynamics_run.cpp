@@ -5,6 +5,7 @@
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/interrupt.hpp"
+#include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/integrate/impact.hpp"
 #include "sundrape/integrate/stability_limit.hpp"
@@ -20,14 +21,13 @@ SolverKind solver_kind(const std::string& name) {
   return SolverKind::conjugate_gradients;  // wins at every size while mass matters; "auto"
 }
 
-/// Error weights' absolute parts (docs/integrators.md): a quarter of rtol of the sheet's size; 100 rtol √(g L), at most
-/// 0.01 √(g L).
 IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   const auto& d = c.dynamics;
   IntegratorOptions o;
   o.rtol = d.rtol;
-  o.atol_position = d.atol_position.value_or(0.25 * d.rtol * model.size);
-  o.atol_velocity = d.atol_velocity.value_or(std::min(0.01, 100 * d.rtol) * std::sqrt(model.gravity * model.size));
+  const auto defaults = default_tolerances(d.rtol, model.size, model.gravity);
+  o.atol_position = d.atol_position.value_or(defaults.position);
+  o.atol_velocity = d.atol_velocity.value_or(defaults.velocity);
   o.max_order = d.max_order;
   o.first_step = d.first_step;
   o.max_step = d.max_step;
@@ -40,7 +40,8 @@ std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& mode
   const auto& d = c.dynamics;
   if (d.integrator == IntegratorKind::rk4) {
     const Vector still = Vector::Zero(model.initial.size());
-    const double contact_rate = model.contact ? std::sqrt(model.contact->law().stiffness() / c.fabric.area_density) : 0.0;
+    const double contact_rate =
+        model.contact ? std::sqrt(model.contact->law().stiffness() / c.fabric.area_density) : 0.0;
     const auto limit = rk4_stability_limit(*model.system, {0, model.initial, still}, contact_rate);
     recorder.statistic("rk4_stable_step_s", limit.step,
                        "largest stable step of the Runge-Kutta method, from the stiffest mode of the start [s]");

@@ -13,8 +13,7 @@ namespace sundrape {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double largest_move = 0.025;  // of a node in one iteration, over the size of the sheet
-constexpr int frame_every = 5;          // iterations
+constexpr int frame_every = 5;  // iterations
 
 SolverKind solver_kind(const Case& c) {
   if (c.relaxation.linear_solver == "lu") return SolverKind::lu;
@@ -131,7 +130,8 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
   const double swing = std::sqrt(model.size / model.gravity);  // time scale of motion under gravity [s]
   const double force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
   Vector q = model.initial;
-  double first_step = c.relaxation.first_step.value_or(0.01 * swing);
+  auto options = relaxation_options(model.size, model.gravity);
+  double first_step = c.relaxation.first_step.value_or(options.first_step);
   if (const auto& restart = recorder.restart()) {
     q = restart->q;
     first_step = restart->step_size;
@@ -159,14 +159,12 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
     result = found;
   } else {
     const auto solver = make_linear_solver(solver_kind(c));
-    result = relax(system, *solver,
-                   {.tolerance = c.relaxation.tolerance,
-                    .max_iterations = c.relaxation.max_iterations.value_or(2000),
-                    .first_step = first_step,
-                    .growth = c.relaxation.growth,
-                    .largest_move = largest_move * model.size,
-                    .force_scale = force_scale},
-                   q, watch);
+    options.tolerance = c.relaxation.tolerance;
+    options.max_iterations = c.relaxation.max_iterations.value_or(options.max_iterations);
+    options.first_step = first_step;
+    options.growth = c.relaxation.growth;
+    options.force_scale = force_scale;
+    result = relax(system, *solver, options, q, watch);
   }
 
   recorder.statistic("iterations", static_cast<std::int64_t>(watch.before().iterations) + result.iterations,

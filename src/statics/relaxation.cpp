@@ -57,6 +57,13 @@ double relative_residual(const System& system, const State& all, double force_sc
   return OutOfBalance(system, force_scale).evaluate(all.q);
 }
 
+RelaxationOptions relaxation_options(double size, double gravity) {
+  RelaxationOptions options;
+  options.first_step = 0.01 * std::sqrt(size / gravity);
+  options.largest_move = size / 40;
+  return options;
+}
+
 RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options, Vector& q,
                        RelaxationObserver& observer) {
   const auto& unknowns = system.unknowns();

@@ -52,7 +52,7 @@ SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, Vecto
   counters_.linear_iterations += report.iterations;
   if (report.ok && !dq.allFinite()) report = {false, report.iterations, "the solution is not finite"};
   if (!report.ok) ++counters_.failures;
-  system_.unknowns().clear_held(dq);   // zero only to the tolerance of an iterative solver, and errors would add up
+  system_.unknowns().clear_held(dq);  // zero only to the tolerance of an iterative solver, and errors would add up
   dv = c_ * dq - r_q;
   system_.unknowns().clear_held(dv);
   return report;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/io/case_reader.hpp"
 
@@ -51,10 +52,9 @@ Equilibrium equilibrium(const Benchmark& b, double tolerance) {
   Equilibrium e{b.model.initial, {}};
   Silent silent;
   const auto solver = make_linear_solver(SolverKind::cholesky);
-  RelaxationOptions options;
+  auto options = relaxation_options(b.model.size, b.model.gravity);
   options.tolerance = tolerance;
-  options.first_step = b.c.relaxation.first_step.value_or(0.01 * std::sqrt(b.model.size / b.model.gravity));
-  options.largest_move = 0.025 * b.model.size;  // as the command line does
+  options.first_step = b.c.relaxation.first_step.value_or(options.first_step);
   options.growth = b.c.relaxation.growth;
   e.result = relax(*b.model.system, *solver, options, e.q, silent);
   EXPECT_EQ(e.result.end, RelaxationEnd::converged) << e.result.diagnosis;
@@ -66,9 +66,9 @@ std::unique_ptr<Integrator> integrator_of(const Benchmark& b) {
   const auto& system = *b.model.system;
   IntegratorOptions options;
   options.rtol = d.rtol;
-  options.atol_position = d.atol_position.value_or(0.25 * d.rtol * b.model.size);
-  options.atol_velocity =
-      d.atol_velocity.value_or(std::min(0.01, 100 * d.rtol) * std::sqrt(b.model.gravity * b.model.size));
+  const auto defaults = default_tolerances(d.rtol, b.model.size, b.model.gravity);
+  options.atol_position = d.atol_position.value_or(defaults.position);
+  options.atol_velocity = d.atol_velocity.value_or(defaults.velocity);
   options.max_order = d.max_order;
   options.fixed_step = d.step.value_or(0);
   if (d.integrator == IntegratorKind::rk4) return make_rk4(system, options);

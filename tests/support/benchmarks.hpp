@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -58,5 +59,13 @@ struct Motion {
 
 /// Columns of a reference table (CSV with # comments), by header name.
 [[nodiscard]] std::map<std::string, std::vector<double>> reference_table(const std::string& name);
+
+/// Where the end of a cantilever of unit length has gone.
+struct Tip {
+  double shortening, rise, rotation;  // of the tip, over L; [rad]
+  [[nodiscard]] double distance(const Tip& other) const {
+    return std::hypot(shortening - other.shortening, rise - other.rise);
+  }
+};
 
 }  // namespace sundrape

@@ -13,13 +13,6 @@ namespace {
 constexpr double ei = 3.4641016151377544e-9;  // [N m²]; L = 1 m
 constexpr double stretch = 1e-5;              // P/EA at λ = 10: the elastica does not stretch, the strip does
 
-struct Tip {
-  double shortening, rise, rotation;  // of the tip, over L; [rad]
-  [[nodiscard]] double distance(const Tip& other) const {
-    return std::hypot(shortening - other.shortening, rise - other.rise);
-  }
-};
-
 /// θ'' = −λ cos θ, θ(0) = 0, θ'(1) = 0 by central differences on n edges, θ at their middles: what a second-order
 /// method makes of the elastica. Shooting from the root moment, by Newton's method along growing λ.
 Tip second_order_chain(int n, double lambda) {

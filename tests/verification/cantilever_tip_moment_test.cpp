@@ -15,13 +15,6 @@ using std::numbers::pi;
 constexpr double ei = 3.4641016151377544e-9;  // [N m²]; L = 1 m
 constexpr double solved = 1e-5;               // what the relaxation's tolerance of 1e-8 leaves, generously
 
-struct Tip {
-  double shortening, rise, rotation;  // of the tip, over L; [rad]
-  [[nodiscard]] double distance(const Tip& other) const {
-    return std::hypot(shortening - other.shortening, rise - other.rise);
-  }
-};
-
 /// Of n rigid edges that turn by Δ = φ/n from one to the next and by Δ/2 at the clamp, the chords subtend a circle that
 /// is larger than the arc's by (Δ/2)/sin(Δ/2): so much too large is every coordinate; rotations are exact.
 Tip second_order_chain(int n, double turn) {

@@ -15,6 +15,9 @@ struct RelaxationOptions {
   double force_scale = 0;    // compared with instead of the external force where there is none [N]
 };
 
+/// Options for a sheet of a size [m] under a gravity [m/s²]: a first step of 0.01 √(L/g), moves of at most L/40.
+[[nodiscard]] RelaxationOptions relaxation_options(double size, double gravity);
+
 /// One accepted (or refused) iteration.
 struct RelaxationStep {
   int iteration = 0;
