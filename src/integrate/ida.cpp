@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <ida/ida.h>
 
+#include "newton_iteration.hpp"
 #include "sundials_integrator.hpp"
 
 namespace sundrape {
@@ -8,17 +9,19 @@ namespace {
 
 using sundials::require_success;
 
+constexpr double newton_part = 0.1;  // Newton's error in the weighted norm; IDA's 0.33 lets nodes sink into obstacles
+
 class Ida final : public ImplicitIntegrator {
  public:
   Ida(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options, EventSource* events)
       : ImplicitIntegrator(system, std::move(solver), options, events),
         y_dot_(form_.size(), context_),
+        iteration_(y_, context_),
         embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); },
                   context_) {}
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);
-    forget_matrix();
     if (!form_.rates(time, y_.values(), y_dot_.values()))
       throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
     if (memory_) {
@@ -66,6 +69,9 @@ class Ida final : public ImplicitIntegrator {
     const auto weigh = [](N_Vector y, N_Vector w, void* data) { return self(data).evaluate_weights(y, w); };
     require_success(IDAWFtolerances(m, weigh), "IDAWFtolerances");
     require_success(IDASetLinearSolver(m, embedded_.get(), nullptr), "IDASetLinearSolver");
+    require_success(IDASetNonlinearSolver(m, iteration_.get()), "IDASetNonlinearSolver");
+    iteration_.use_rule();
+    require_success(IDASetNonlinConvCoef(m, newton_part), "IDASetNonlinConvCoef");
     require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
     require_success(IDASetMaxConvFails(m, 20), "IDASetMaxConvFails");
     require_success(IDASetMaxErrTestFails(m, 20), "IDASetMaxErrTestFails");
@@ -99,9 +105,13 @@ class Ida final : public ImplicitIntegrator {
     void* data = nullptr;
     require_success(IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data),
                     "IDAGetNonlinearSystemData");
-    bool refreshed = false;
-    if (const int flag = refresh(t, c, y, refreshed); flag != 0) return flag;
+    if (const int flag = refresh(t, c, y); flag != 0) return flag;
     const auto n = form_.size() / 2;
+    const auto& mass = form_.system().row_mass();
+    force_ = -sundials::values(r).tail(n);  // IDA has just evaluated r there
+    for (int row = 0; row < mass.size(); ++row)
+      point(force_, row) += mass[row] * sundials::values(y_dot).segment<3>(n + 3 * row);
+    newton_.know_forces(force_);
     const auto right = sundials::values(b);
     return solve(right.head(n), right.tail(n), x);
   }
@@ -138,8 +148,10 @@ class Ida final : public ImplicitIntegrator {
   }
 
   sundials::StateVector y_dot_;
+  sundials::NewtonIteration iteration_;
   sundials::EmbeddedSolver embedded_;
   std::unique_ptr<void, Free> memory_;
+  Vector force_;
 };
 
 }  // namespace

@@ -63,16 +63,10 @@ ImplicitIntegrator::ImplicitIntegrator(const System& system, std::unique_ptr<Lin
       newton_(system, std::move(solver), options.linear_tolerance),
       weights_{options.rtol, options.atol_position, options.atol_velocity, Vector()} {}
 
-int ImplicitIntegrator::refresh(double time, double c, N_Vector y, bool& done) {
-  done = time != matrix_time_ || c != matrix_c_;
-  if (!done) return 0;
-  forget_matrix();
+int ImplicitIntegrator::refresh(double time, double c, N_Vector y) {
   const auto n = form_.size() / 2;
   const auto at = sundials::values(y);
-  if (newton_.prepare(time, c, at.head(n), at.tail(n)) != FactorStatus::ok) return SUNLS_PACKAGE_FAIL_REC;
-  matrix_time_ = time;
-  matrix_c_ = c;
-  return 0;
+  return newton_.prepare(time, c, at.head(n), at.tail(n)) == FactorStatus::ok ? 0 : SUNLS_PACKAGE_FAIL_REC;
 }
 
 int ImplicitIntegrator::evaluate_weights(N_Vector y, N_Vector weights) {

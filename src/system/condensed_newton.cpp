@@ -1,8 +1,16 @@
 #include "sundrape/system/condensed_newton.hpp"
 
+#include <algorithm>
+
 #include "sundrape/system/stopwatch.hpp"
 
 namespace sundrape {
+namespace {
+
+constexpr double loosest = 0.1;     // tolerance of a linear solve
+constexpr double rounding = 1e-12;  // c q − v is known to this part of c q
+
+}  // namespace
 
 CondensedNewton::CondensedNewton(const System& system, std::unique_ptr<LinearSolver> solver, double tolerance)
     : system_(system),
@@ -22,6 +30,7 @@ CondensedNewton::CondensedNewton(const System& system, std::unique_ptr<LinearSol
 FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, ConstVectorRef v) {
   {
     const Stopwatch watch(counters_.assembly_seconds);
+    if (c != c_ || time != time_) first_norm_ = 0;
     c_ = c;
     time_ = time;
     system_.expand(q, v, q_, v_);
@@ -41,13 +50,17 @@ FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, C
 SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv) {
   const Stopwatch watch(counters_.solve_seconds);
   right_side_ = r_v;
-  if (!r_q.isZero(0)) {
+  if (r_q.lpNorm<Eigen::Infinity>() > rounding * c_ * q_.lpNorm<Eigen::Infinity>()) {
     for (int r = 0; r < system_.unknowns().rows(); ++r)
       point(right_side_, r) += c_ * system_.row_mass()[r] * point(r_q, r);
     add_damping_product(r_q, right_side_);
   }
   system_.unknowns().clear_held(right_side_);
-  auto report = solver_->solve(right_side_, dq, tolerance_);
+  // later iterations of a step need no more digits after the point than its first
+  const double norm = right_side_.norm();
+  if (first_norm_ == 0) first_norm_ = norm;
+  const double tolerance = norm > 0 ? std::clamp(tolerance_ * first_norm_ / norm, tolerance_, loosest) : tolerance_;
+  auto report = solver_->solve(right_side_, dq, tolerance);
   ++counters_.solves;
   counters_.linear_iterations += report.iterations;
   if (report.ok && !dq.allFinite()) report = {false, report.iterations, "the solution is not finite"};

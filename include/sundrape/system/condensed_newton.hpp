@@ -20,7 +20,8 @@ class CondensedNewton {
     double assembly_seconds = 0, factor_seconds = 0, solve_seconds = 0;  // wall clock
   };
 
-  /// @param tolerance  of the linear solves, relative
+  /// @param tolerance  of the linear solves, relative to the first right side for one time and c: later iterations of a
+  ///                   step make do with fewer digits
   CondensedNewton(const System& system, std::unique_ptr<LinearSolver> solver, double tolerance);
 
   /// Assembles and factors c² M + c C + K at a state of the unknowns (rows, 3n).
@@ -42,7 +43,7 @@ class CondensedNewton {
   const System& system_;
   std::unique_ptr<LinearSolver> solver_;
   BlockMatrix matrix_;
-  double tolerance_, c_ = 0, time_ = 0;
+  double tolerance_, c_ = 0, time_ = 0, first_norm_ = 0;
   Vector q_, v_;               // all points, where the matrix was assembled
   Vector shifted_v_, work_;    // all points, work
   Vector right_side_, force_;  // rows

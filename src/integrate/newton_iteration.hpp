@@ -1,0 +1,38 @@
+#pragma once
+#include <sundials/sundials_nonlinearsolver.h>
+
+#include "sundials_support.hpp"
+
+namespace sundrape::sundials {
+
+/// Newton's iteration of a step, ended by CVODE's rule: δ_m is the weighted norm of correction m, and the iterate is
+/// taken once δ_m min(1, rate) ≤ tolerance, rate being max(0.3 rate, δ_m/δ_{m−1}), and 1 at the start of each step.
+///
+/// IDA's own rule carries the rate over from step to step where the linear solver needs no setup, and so takes the
+/// first iterate even when a node has just met an obstacle.
+class NewtonIteration {
+ public:
+  /// @param like  a vector of the state's size
+  NewtonIteration(const StateVector& like, const Context& context);
+  NewtonIteration(const NewtonIteration&) = delete;  // SUNDIALS keeps its address
+  NewtonIteration& operator=(const NewtonIteration&) = delete;
+  NewtonIteration(NewtonIteration&&) = delete;
+  NewtonIteration& operator=(NewtonIteration&&) = delete;
+  ~NewtonIteration() = default;
+
+  [[nodiscard]] SUNNonlinearSolver get() const { return solver_.get(); }
+  /// Once the integrator has the solver, which sets its own rule.
+  void use_rule();
+
+ private:
+  struct Free {
+    void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
+  };
+  static int test(SUNNonlinearSolver solver, N_Vector iterate, N_Vector correction, realtype tolerance,
+                  N_Vector weights, void* data);
+
+  std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, Free> solver_;
+  double rate_ = 1, previous_ = 0;
+};
+
+}  // namespace sundrape::sundials
