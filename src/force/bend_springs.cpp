@@ -6,19 +6,23 @@
 
 #include "sundrape/force/hinge_angle.hpp"
 
+#include "batch.hpp"
+
 namespace sundrape {
 namespace {
 
-/// Second derivatives of one spring's energy by its edges a, b and axis c (and of its damping's power, where kept).
+/// Second derivatives of the springs' energy by their edges a, b and axis c (and of its damping's power, where kept).
+template <class Matrix>
 struct EdgeTangent {
-  Matrix3 aa, ab, ac, bb, bc, cc;  // rows by the first letter
-  Matrix3 ba, ca, cb;              // transposes of the above unless the damping's own change is kept
+  Matrix aa, ab, ac, bb, bc, cc;  // rows by the first letter
+  Matrix ba, ca, cb;              // transposes of the above unless the damping's own change is kept
 };
 
 /// modulus · g gᵀ + geometric · ∂²φ
-EdgeTangent edge_tangent(const HingeAngle& hinge, const HingeCurvature& curved, double modulus, double geometric) {
-  const Vector3 ga = modulus * hinge.ga, gb = modulus * hinge.gb, gc = modulus * hinge.gc;
-  EdgeTangent t;
+EdgeTangent<Batch3x3> edge_tangent(const BasicHingeAngle<Batch>& hinge, const BasicHingeCurvature<Batch>& curved,
+                                   const Batch& modulus, const Batch& geometric) {
+  const Batch3 ga = modulus * hinge.ga, gb = modulus * hinge.gb, gc = modulus * hinge.gc;
+  EdgeTangent<Batch3x3> t;
   t.aa = ga * hinge.ga.transpose() + geometric * curved.aa;
   t.bb = gb * hinge.gb.transpose() + geometric * curved.bb;
   t.cc = gc * hinge.gc.transpose() + geometric * curved.cc;
@@ -29,13 +33,11 @@ EdgeTangent edge_tangent(const HingeAngle& hinge, const HingeCurvature& curved, 
 }
 
 /// Adds factor · g (∂²φ · rates)ᵀ, by which the damping moment changes as the spring turns: not symmetric.
-void add_rate_change(EdgeTangent& t, const HingeAngle& hinge, const HingeCurvature& curved, double factor,
-                     const Vector3& a, const Vector3& b, const Vector3& c) {
-  t.ba = t.ab.transpose();
-  t.ca = t.ac.transpose();
-  t.cb = t.bc.transpose();
-  const Vector3 ha = factor * (curved.aa * a + curved.ac * c), hb = factor * (curved.bb * b + curved.bc * c);
-  const Vector3 hc = factor * (curved.ac.transpose() * a + curved.bc.transpose() * b + curved.cc * c);
+void add_rate_change(EdgeTangent<Batch3x3>& t, const BasicHingeAngle<Batch>& hinge,
+                     const BasicHingeCurvature<Batch>& curved, const Batch& factor, const Batch3& a, const Batch3& b,
+                     const Batch3& c) {
+  const Batch3 ha = factor * (curved.aa * a + curved.ac * c), hb = factor * (curved.bb * b + curved.bc * c);
+  const Batch3 hc = factor * (curved.ac.transpose() * a + curved.bc.transpose() * b + curved.cc * c);
   t.aa += hinge.ga * ha.transpose();
   t.ab += hinge.ga * hb.transpose();
   t.ac += hinge.ga * hc.transpose();
@@ -47,29 +49,71 @@ void add_rate_change(EdgeTangent& t, const HingeAngle& hinge, const HingeCurvatu
   t.cc += hinge.gc * hc.transpose();
 }
 
-/// −∂²/∂x_p∂x_q for the five points of a spring inside a sheet of straight crossing threads, where
-/// a = x₁ − x₀, b = x₂ − x₁, c = x₃ − x₄.
-void add_plain(const EdgeTangent& t, std::size_t e, Assembler& tangent) {
-  const Matrix3 a_minus_b_by_a = t.aa - t.ab.transpose(), a_minus_b_by_b = t.ab - t.bb, a_minus_b_by_c = t.ac - t.bc;
-  tangent.add_diagonal(e, 0, -t.aa);
-  tangent.add_diagonal(e, 1, a_minus_b_by_b - a_minus_b_by_a);
-  tangent.add_diagonal(e, 2, -t.bb);
-  tangent.add_diagonal(e, 3, -t.cc);
-  tangent.add_diagonal(e, 4, -t.cc);
-  tangent.add_pair(e, 0, 1, a_minus_b_by_a.transpose());
-  tangent.add_pair(e, 0, 2, t.ab);
-  tangent.add_pair(e, 0, 3, t.ac);
-  tangent.add_pair(e, 0, 4, -t.ac);
-  tangent.add_pair(e, 1, 2, -a_minus_b_by_b);
-  tangent.add_pair(e, 1, 3, -a_minus_b_by_c);
-  tangent.add_pair(e, 1, 4, a_minus_b_by_c);
-  tangent.add_pair(e, 2, 3, -t.bc);
-  tangent.add_pair(e, 2, 4, t.bc);
-  tangent.add_pair(e, 3, 4, t.cc);
-}
+/// −∂²/∂x_p∂x_q of springs inside a sheet of straight crossing threads, where a = x₁ − x₀, b = x₂ − x₁, c = x₃ − x₄.
+class PlainBlocks {
+ public:
+  explicit PlainBlocks(const EdgeTangent<Batch3x3>& t) {
+    const Batch3x3 aa_ab = t.aa - t.ab, bb_ab = t.bb - t.ab, bc_ac = (t.bc - t.ac).transpose();
+    store(own0, -t.aa);
+    store(own1, -bb_ab - aa_ab.transpose());
+    store(own2, -t.bb);
+    store(own34, -t.cc);
+    store(below10, aa_ab.transpose());
+    store(below20, t.ab.transpose());
+    store(below30, t.ac.transpose());
+    store(below40, -t.ac.transpose());
+    store(below21, bb_ab.transpose());
+    store(below31, bc_ac);
+    store(below41, -bc_ac);
+    store(below32, -t.bc.transpose());
+    store(below42, t.bc.transpose());
+    store(below43, t.cc);
+  }
 
-/// The same for any spring: weights[p] are those of a, b, c in point p.
-void add_general(const EdgeTangent& t, const std::array<int, 5>& points, const std::array<Vector3, 5>& weights,
+  void add(std::size_t lane, std::size_t e, Assembler& tangent) const {
+    const auto block = [&](Kind kind) -> const Matrix3& { return blocks_(kind, lane); };
+    tangent.add_diagonal(e, 0, block(own0));
+    tangent.add_diagonal(e, 1, block(own1));
+    tangent.add_diagonal(e, 2, block(own2));
+    tangent.add_diagonal(e, 3, block(own34));
+    tangent.add_diagonal(e, 4, block(own34));
+    tangent.add_pair_below(e, 0, 1, block(below10));
+    tangent.add_pair_below(e, 0, 2, block(below20));
+    tangent.add_pair_below(e, 0, 3, block(below30));
+    tangent.add_pair_below(e, 0, 4, block(below40));
+    tangent.add_pair_below(e, 1, 2, block(below21));
+    tangent.add_pair_below(e, 1, 3, block(below31));
+    tangent.add_pair_below(e, 1, 4, block(below41));
+    tangent.add_pair_below(e, 2, 3, block(below32));
+    tangent.add_pair_below(e, 2, 4, block(below42));
+    tangent.add_pair_below(e, 3, 4, block(below43));
+  }
+
+ private:
+  enum Kind : std::size_t {
+    own0,
+    own1,
+    own2,
+    own34,
+    below10,
+    below20,
+    below30,
+    below40,
+    below21,
+    below31,
+    below41,
+    below32,
+    below42,
+    below43,
+    kinds
+  };
+  void store(Kind kind, const Batch3x3& block) { blocks_.store(kind, block); }
+
+  LaneMatrices<kinds> blocks_;
+};
+
+/// The same for one spring of any kind: weights[p] are those of a, b, c in point p.
+void add_general(const EdgeTangent<Matrix3>& t, const std::array<int, 5>& points, const std::array<Vector3, 5>& weights,
                  std::size_t e, Assembler& tangent) {
   const bool exact = tangent.keeps_unsymmetric();
   const auto block = [&](std::size_t p, std::size_t q) -> Matrix3 {
@@ -91,10 +135,26 @@ void add_general(const EdgeTangent& t, const std::array<int, 5>& points, const s
   }
 }
 
+/// One lane of all nine blocks.
+EdgeTangent<Matrix3> of_lane(const EdgeTangent<Batch3x3>& t, std::size_t lane) {
+  const auto pick = [lane](const Batch3x3& m) {
+    Matrix3 one;
+    for (int i = 0; i < 9; ++i) one.data()[i] = m.data()[i].get(lane);
+    return one;
+  };
+  return {pick(t.aa), pick(t.ab), pick(t.ac), pick(t.bb), pick(t.bc), pick(t.cc), pick(t.ba), pick(t.ca), pick(t.cb)};
+}
+
 }  // namespace
 
+/// The edges and axes of consecutive springs, one a lane.
 struct BendSprings::Edges {
-  Vector3 a, b, c;
+  Batch3 a, b, c;
+
+  /// Σ of the gradient of φ times these vectors: with rates, dφ/dt
+  [[nodiscard]] Batch along(const BasicHingeAngle<Batch>& hinge) const {
+    return hinge.ga.dot(a) + hinge.gb.dot(b) + hinge.gc.dot(c);
+  }
 };
 
 BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxation_time)
@@ -126,94 +186,104 @@ BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxati
   reaches.reserve(elements_.size());
   for (const auto& e : elements_) reaches.push_back(reach(e));
   stripes_ = Stripes(reaches);
+  std::vector<decltype(table_)::Element> rows;
+  rows.reserve(elements_.size());
+  for (const auto& e : elements_) {
+    const auto& [previous, centre, next, to, from] = e.points;
+    rows.push_back({{previous, centre, next, to < 0 ? centre : to, from < 0 ? centre : from},
+                    {e.skew, e.rest_angle, e.stiffness}});
+  }
+  table_ = decltype(table_)(rows);
 }
 
-BendSprings::Edges BendSprings::edges(const Element& element, ConstVectorRef x) {
-  const auto& [previous, centre, next, to, from] = element.points;
+BendSprings::Edges BendSprings::edges(std::size_t first, ConstVectorRef x) const {
+  const auto at = [&](std::size_t p) { return gather(x, table_.places(p, first)); };
+  const Batch3 centre = at(1);
   Edges e;
-  e.a = point(x, centre) - point(x, previous);
-  e.b = point(x, next) - point(x, centre);
-  e.c = (to >= 0 ? point(x, to) : point(x, centre)) - (from >= 0 ? point(x, from) : point(x, centre));
-  if (element.skew != 0) e.c -= element.skew * (e.a + e.b);
+  e.a = centre - at(0);
+  e.b = at(2) - centre;
+  e.c = at(3) - at(4) - load_batch(table_.numbers_from(skew, first)) * (e.a + e.b);
   return e;
 }
 
 double BendSprings::energy(const State& state) const {
   return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (auto e = begin; e < end; ++e) {
-      const auto x = edges(elements_[e], state.q);
-      const double turn = HingeAngle(x.a, x.b, x.c).angle - elements_[e].rest_angle;
-      sum += 0.5 * elements_[e].stiffness * turn * turn;
-    }
-    return sum;
+    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
+      const auto x = edges(e, state.q);
+      const Batch turn = BasicHingeAngle<Batch>(x.a, x.b, x.c).angle - load_batch(table_.numbers_from(rest_angle, e));
+      return Batch(0.5) * load_batch(table_.numbers_from(stiffness, e)) * turn * turn;
+    });
   });
 }
 
 double BendSprings::dissipated_power(const State& state) const {
   if (relaxation_time_ == 0) return 0;
   return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (auto e = begin; e < end; ++e) {
-      const auto x = edges(elements_[e], state.q), v = edges(elements_[e], state.v);
-      const HingeAngle hinge(x.a, x.b, x.c);
-      const double rate = hinge.ga.dot(v.a) + hinge.gb.dot(v.b) + hinge.gc.dot(v.c);
-      sum += relaxation_time_ * elements_[e].stiffness * rate * rate;
-    }
-    return sum;
+    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
+      const auto x = edges(e, state.q);
+      const Batch rate = edges(e, state.v).along(BasicHingeAngle<Batch>(x.a, x.b, x.c));
+      return Batch(relaxation_time_) * load_batch(table_.numbers_from(stiffness, e)) * rate * rate;
+    });
   });
 }
 
 void BendSprings::add_force(const State& state, VectorRef f) const {
   stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) {
-      const auto& element = elements_[e];
-      const auto x = edges(element, state.q);
-      const HingeAngle hinge(x.a, x.b, x.c);
-      double moment = element.stiffness * (hinge.angle - element.rest_angle);
-      if (relaxation_time_ > 0) {
-        const auto v = edges(element, state.v);
-        moment += relaxation_time_ * element.stiffness * (hinge.ga.dot(v.a) + hinge.gb.dot(v.b) + hinge.gc.dot(v.c));
-      }
-      const Vector3 fa = -moment * (hinge.ga - element.skew * hinge.gc),
-                    fb = -moment * (hinge.gb - element.skew * hinge.gc);
-      const Vector3 fc = -moment * hinge.gc;
-      const auto& [previous, centre, next, to, from] = element.points;
-      point(f, previous) -= fa;
-      point(f, centre) += fa - fb + element.centre_in_cross * fc;
-      point(f, next) += fb;
-      if (to >= 0) point(f, to) += fc;
-      if (from >= 0) point(f, from) -= fc;
+    LaneBuffer<15> pull;
+    for (auto e = begin; e < end; e += lanes) {
+      const auto x = edges(e, state.q);
+      const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
+      Batch turn = hinge.angle - load_batch(table_.numbers_from(rest_angle, e));
+      if (relaxation_time_ > 0) turn += Batch(relaxation_time_) * edges(e, state.v).along(hinge);
+      const Batch moment = load_batch(table_.numbers_from(stiffness, e)) * turn;
+      const Batch3 fc = -moment * hinge.gc, held = load_batch(table_.numbers_from(skew, e)) * fc;
+      const Batch3 fa = -moment * hinge.ga - held, fb = -moment * hinge.gb - held;
+      pull.store(0, -fa);
+      pull.store(3, fa - fb);
+      pull.store(6, fb);
+      pull.store(9, fc);
+      pull.store(12, -fc);
+      for (std::size_t p = 0; p < 5; ++p) scatter_add(pull, 3 * p, table_.places(p, e), std::min(lanes, end - e), f);
     }
   });
 }
 
 void BendSprings::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
-  const bool keeps_rate_change = tangent.keeps_unsymmetric() && relaxation_time_ > 0;
+  const bool exact = tangent.keeps_unsymmetric();
   stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) {
-      const auto& element = elements_[e];
-      const auto x = edges(element, state.q);
-      const HingeAngle hinge(x.a, x.b, x.c);
-      const HingeCurvature curved(x.a, x.b, x.c);
-      const double viscosity = relaxation_time_ * element.stiffness;
-      double moment = element.stiffness * (hinge.angle - element.rest_angle);
-      Edges v{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
-      if (viscosity > 0) {
-        v = edges(element, state.v);
-        moment += viscosity * (hinge.ga.dot(v.a) + hinge.gb.dot(v.b) + hinge.gc.dot(v.c));
+    for (auto e = begin; e < end; e += lanes) {
+      const auto x = edges(e, state.q);
+      const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
+      const BasicHingeCurvature<Batch> curved(x.a, x.b, x.c);
+      const Batch stiff = load_batch(table_.numbers_from(stiffness, e)), viscosity = Batch(relaxation_time_) * stiff;
+      Batch moment = stiff * (hinge.angle - load_batch(table_.numbers_from(rest_angle, e)));
+      Edges v{Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0))};
+      if (relaxation_time_ > 0) {
+        v = edges(e, state.v);
+        moment += viscosity * v.along(hinge);
       }
-      auto t = edge_tangent(hinge, curved, dq * element.stiffness + dv * viscosity, dq * moment);
-      if (!tangent.keeps_unsymmetric() && element.skew == 0 && element.centre_in_cross == 0) {
-        add_plain(t, e, tangent);
-        continue;
+      auto t = edge_tangent(hinge, curved, Batch(dq) * stiff + Batch(dv) * viscosity, Batch(dq) * moment);
+      const std::size_t count = std::min(lanes, end - e);
+      const auto is_plain = [&](const Element& s) { return !exact && s.skew == 0 && s.centre_in_cross == 0; };
+      const auto all = std::span(elements_).subspan(e, count);
+      if (std::ranges::any_of(all, is_plain)) {
+        const PlainBlocks blocks(t);
+        for (std::size_t lane = 0; lane < count; ++lane)
+          if (is_plain(all[lane])) blocks.add(lane, e + lane, tangent);
       }
-      add_rate_change(t, hinge, curved, keeps_rate_change ? dq * viscosity : 0.0, v.a, v.b, v.c);
-      const double k = element.skew;
-      add_general(t, element.points,
-                  {Vector3(-1, 0, k), Vector3(1, -1, element.centre_in_cross), Vector3(0, 1, -k), Vector3(0, 0, 1),
-                   Vector3(0, 0, -1)},
-                  e, tangent);
+      if (std::ranges::all_of(all, is_plain)) continue;
+      t.ba = t.ab.transpose();
+      t.ca = t.ac.transpose();
+      t.cb = t.bc.transpose();
+      if (exact && relaxation_time_ > 0) add_rate_change(t, hinge, curved, Batch(dq) * viscosity, v.a, v.b, v.c);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        if (is_plain(all[lane])) continue;
+        const double k = all[lane].skew;
+        add_general(of_lane(t, lane), all[lane].points,
+                    {Vector3(-1, 0, k), Vector3(1, -1, all[lane].centre_in_cross), Vector3(0, 1, -k), Vector3(0, 0, 1),
+                     Vector3(0, 0, -1)},
+                    e + lane, tangent);
+      }
     }
   });
 }
@@ -225,9 +295,10 @@ void BendSprings::declare_pattern(Pattern& pattern) const {
 
 double BendSprings::largest_angle(ConstVectorRef q) const {
   double largest = 0;
-  for (const auto& e : elements_) {
+  for (std::size_t e = 0; e < elements_.size(); e += lanes) {
     const auto x = edges(e, q);
-    largest = std::max(largest, std::abs(HingeAngle(x.a, x.b, x.c).angle));
+    const Batch angle = xsimd::abs(BasicHingeAngle<Batch>(x.a, x.b, x.c).angle);
+    for (std::size_t lane = 0; lane < lanes; ++lane) largest = std::max(largest, angle.get(lane));
   }
   return largest;
 }

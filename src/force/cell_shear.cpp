@@ -3,84 +3,139 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "batch.hpp"
+
 namespace sundrape {
 namespace {
 
-struct Sheared {
-  Vector3 g1, g2;  // ∂γ/∂D₁, ∂γ/∂D₂ [1/m]
-  Vector3 h1, h2;  // rates of g1 and g2 [1/(m s)]
-  double strain;   // γ
-  double rate;     // dγ/dt [1/s]
+/// −∂²/∂x_p∂x_q of cells from the second derivatives by their diagonals. Node k of a cell is an end of diagonal k mod
+/// 2, the far end for k ≥ 2.
+class CellBlocks {
+ public:
+  /// d11, d12, d21, d22: by D₁, D₂, rows by the first
+  CellBlocks(const Batch3x3& d11, const Batch3x3& d12, const Batch3x3& d21, const Batch3x3& d22) {
+    store(b11, d11);
+    store(b12, d12);
+    store(b21, d21);
+    store(b22, d22);
+    store(minus_11, -d11);
+    store(minus_12, -d12);
+    store(minus_21, -d21);
+    store(minus_22, -d22);
+  }
+
+  void add(std::size_t lane, std::size_t e, Assembler& tangent) const {
+    const auto block = [&](Kind kind) -> const Matrix3& { return blocks_(kind, lane); };
+    tangent.add_diagonal(e, 0, block(minus_11));
+    tangent.add_diagonal(e, 1, block(minus_22));
+    tangent.add_diagonal(e, 2, block(minus_11));
+    tangent.add_diagonal(e, 3, block(minus_22));
+    if (tangent.keeps_unsymmetric()) {
+      tangent.add_general_pair(e, 0, 1, block(minus_12), block(minus_21));
+      tangent.add_general_pair(e, 0, 2, block(b11), block(b11));
+      tangent.add_general_pair(e, 0, 3, block(b12), block(b21));
+      tangent.add_general_pair(e, 1, 2, block(b21), block(b12));
+      tangent.add_general_pair(e, 1, 3, block(b22), block(b22));
+      tangent.add_general_pair(e, 2, 3, block(minus_12), block(minus_21));
+      return;
+    }
+    tangent.add_pair_below(e, 0, 1, block(minus_21));
+    tangent.add_pair_below(e, 0, 2, block(b11));
+    tangent.add_pair_below(e, 0, 3, block(b21));
+    tangent.add_pair_below(e, 1, 2, block(b12));
+    tangent.add_pair_below(e, 1, 3, block(b22));
+    tangent.add_pair_below(e, 2, 3, block(minus_21));
+  }
+
+ private:
+  enum Kind : std::size_t { b11, b12, b21, b22, minus_11, minus_12, minus_21, minus_22, kinds };
+  void store(Kind kind, const Batch3x3& block) { blocks_.store(kind, block); }
+
+  LaneMatrices<kinds> blocks_;
 };
 
-Sheared sheared(const ShearCell& cell, const State& state) {
-  const auto& [n1, n2, n3, n4] = cell.nodes;
-  const Vector3 d1 = point(state.q, n3) - point(state.q, n1), d2 = point(state.q, n4) - point(state.q, n2);
-  const double per_scale = 0.5 / cell.scale;
+ElementTable<4, 3> table(std::span<const ShearCell> cells) {
+  std::vector<ElementTable<4, 3>::Element> rows;
+  rows.reserve(cells.size());
+  for (const auto& c : cells) rows.push_back({c.nodes, {0.5 / c.scale, c.rest, c.stiffness}});
+  return ElementTable<4, 3>(rows);
+}
+
+}  // namespace
+
+struct CellShear::Sheared {
+  Batch3 g1, g2;         // ∂γ/∂D₁, ∂γ/∂D₂ [1/m]
+  Batch3 h1, h2;         // rates of g1 and g2 [1/(m s)]
+  Batch strain;          // γ
+  Batch rate;            // dγ/dt [1/s]
+  Batch half_per_scale;  // 1/(2 |p₀||q₀|) [1/m²]
+  Batch stiffness;       // [J]
+};
+
+CellShear::Sheared CellShear::sheared(std::size_t first, const State& state) const {
+  const auto diagonal = [&](const ConstVectorRef& x, std::size_t from) -> Batch3 {
+    return gather(x, table_.places(from + 2, first)) - gather(x, table_.places(from, first));
+  };
+  const Batch3 d1 = diagonal(state.q, 0), d2 = diagonal(state.q, 1);
   Sheared s;
-  s.g1 = per_scale * d1;
-  s.g2 = -per_scale * d2;
-  s.h1 = per_scale * (point(state.v, n3) - point(state.v, n1));
-  s.h2 = -per_scale * (point(state.v, n4) - point(state.v, n2));
-  s.strain = 0.5 * per_scale * (d1.squaredNorm() - d2.squaredNorm() - cell.rest);
+  s.stiffness = load_batch(table_.numbers_from(stiffness, first));
+  s.half_per_scale = load_batch(table_.numbers_from(half_per_scale, first));
+  s.g1 = s.half_per_scale * d1;
+  s.g2 = -s.half_per_scale * d2;
+  s.h1 = s.half_per_scale * diagonal(state.v, 0);
+  s.h2 = -s.half_per_scale * diagonal(state.v, 1);
+  s.strain = Batch(0.5) * s.half_per_scale *
+             (d1.squaredNorm() - d2.squaredNorm() - load_batch(table_.numbers_from(rest, first)));
   s.rate = s.h1.dot(d1) + s.h2.dot(d2);
   return s;
 }
 
-/// Node k of a cell is an end of diagonal k mod 2, the far end for k ≥ 2.
-constexpr double end_sign(int k) { return k < 2 ? -1.0 : 1.0; }
-
-}  // namespace
-
-CellShear::CellShear(std::vector<ShearCell> cells, double relaxation_time)
-    : cells_(std::move(cells)), relaxation_time_(relaxation_time) {
+CellShear::CellShear(const std::vector<ShearCell>& cells, double relaxation_time) : relaxation_time_(relaxation_time) {
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of shear must not be negative [s]");
-  for (const auto& c : cells_)
+  for (const auto& c : cells)
     if (!(c.scale > 0 && c.stiffness > 0)) throw std::invalid_argument("a cell has no area or no shear stiffness");
   const auto reach = [](const ShearCell& c) {
     return std::pair<int, int>(*std::ranges::min_element(c.nodes), *std::ranges::max_element(c.nodes));
   };
-  std::ranges::sort(cells_, {}, reach);
+  auto sorted = cells;
+  std::ranges::sort(sorted, {}, reach);
   std::vector<std::pair<int, int>> reaches;
-  reaches.reserve(cells_.size());
-  for (const auto& c : cells_) reaches.push_back(reach(c));
+  reaches.reserve(sorted.size());
+  for (const auto& c : sorted) reaches.push_back(reach(c));
   stripes_ = Stripes(reaches);
+  table_ = table(sorted);
 }
 
 double CellShear::energy(const State& state) const {
   return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (auto e = begin; e < end; ++e) {
-      const double strain = sheared(cells_[e], state).strain;
-      sum += 0.5 * cells_[e].stiffness * strain * strain;
-    }
-    return sum;
+    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
+      const auto s = sheared(e, state);
+      return Batch(0.5) * s.stiffness * s.strain * s.strain;
+    });
   });
 }
 
 double CellShear::dissipated_power(const State& state) const {
   if (relaxation_time_ == 0) return 0;
   return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (auto e = begin; e < end; ++e) {
-      const double rate = sheared(cells_[e], state).rate;
-      sum += relaxation_time_ * cells_[e].stiffness * rate * rate;
-    }
-    return sum;
+    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
+      const auto s = sheared(e, state);
+      return Batch(relaxation_time_) * s.stiffness * s.rate * s.rate;
+    });
   });
 }
 
 void CellShear::add_force(const State& state, VectorRef f) const {
   stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) {
-      const auto& cell = cells_[e];
-      const auto s = sheared(cell, state);
-      const double stress = cell.stiffness * (s.strain + relaxation_time_ * s.rate);
-      const Vector3 f1 = stress * s.g1, f2 = stress * s.g2;
-      point(f, cell.nodes[0]) += f1;
-      point(f, cell.nodes[2]) -= f1;
-      point(f, cell.nodes[1]) += f2;
-      point(f, cell.nodes[3]) -= f2;
+    LaneBuffer<12> pull;
+    for (auto e = begin; e < end; e += lanes) {
+      const auto s = sheared(e, state);
+      const Batch stress = s.stiffness * (s.strain + Batch(relaxation_time_) * s.rate);
+      pull.store(0, stress * s.g1);
+      pull.store(3, stress * s.g2);
+      pull.store(6, -stress * s.g1);
+      pull.store(9, -stress * s.g2);
+      for (std::size_t p = 0; p < 4; ++p) scatter_add(pull, 3 * p, table_.places(p, e), std::min(lanes, end - e), f);
     }
   });
 }
@@ -88,42 +143,33 @@ void CellShear::add_force(const State& state, VectorRef f) const {
 void CellShear::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
   const bool exact = tangent.keeps_unsymmetric() && relaxation_time_ > 0;
   stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) {
-      const auto& cell = cells_[e];
-      const auto s = sheared(cell, state);
-      const double viscosity = relaxation_time_ * cell.stiffness;
-      const double stress = cell.stiffness * s.strain + viscosity * s.rate;
-      const double modulus = dq * cell.stiffness + dv * viscosity;
-      const Matrix3 geometric = (dq * stress * 0.5 / cell.scale) * Matrix3::Identity();
-      // ∂f/∂D of the two diagonals, negated: material part g gᵀ, geometric part ±σ I; the rate's own change g hᵀ.
-      std::array<std::array<Matrix3, 2>, 2> block;
-      const std::array<const Vector3*, 2> g{&s.g1, &s.g2}, h{&s.h1, &s.h2};
-      for (std::size_t a = 0; a < 2; ++a)
-        for (std::size_t b = 0; b < 2; ++b) {
-          block[a][b] = modulus * *g[a] * g[b]->transpose();
-          if (exact) block[a][b] += (dq * viscosity) * *g[a] * h[b]->transpose();
-        }
-      block[0][0] += geometric;
-      block[1][1] -= geometric;
-      for (int q = 0; q < 4; ++q) {
-        const auto b = static_cast<std::size_t>(q % 2);
-        tangent.add_diagonal(e, q, -block[b][b]);
-        for (int p = 0; p < q; ++p) {
-          const auto a = static_cast<std::size_t>(p % 2);
-          const double sign = -end_sign(p) * end_sign(q);
-          if (exact)
-            tangent.add_general_pair(e, p, q, sign * block[a][b], sign * block[b][a]);
-          else
-            tangent.add_pair(e, p, q, sign * block[a][b]);
-        }
+    for (auto e = begin; e < end; e += lanes) {
+      const auto s = sheared(e, state);
+      const Batch viscosity = Batch(relaxation_time_) * s.stiffness;
+      const Batch modulus = Batch(dq) * s.stiffness + Batch(dv) * viscosity;
+      const Batch geometric = Batch(dq) * (s.stiffness * s.strain + viscosity * s.rate) * s.half_per_scale;
+      // material part g gᵀ, geometric part ±σ I; the rate's own change g hᵀ
+      const Batch3 m1 = modulus * s.g1, m2 = modulus * s.g2;
+      Batch3x3 d11 = m1 * s.g1.transpose(), d12 = m1 * s.g2.transpose(), d22 = m2 * s.g2.transpose();
+      Batch3x3 d21 = d12.transpose();
+      d11.diagonal().array() += geometric;
+      d22.diagonal().array() -= geometric;
+      if (exact) {
+        const Batch3 h1 = Batch(dq) * viscosity * s.h1, h2 = Batch(dq) * viscosity * s.h2;
+        d11 += s.g1 * h1.transpose();
+        d12 += s.g1 * h2.transpose();
+        d21 += s.g2 * h1.transpose();
+        d22 += s.g2 * h2.transpose();
       }
+      const CellBlocks blocks(d11, d12, d21, d22);
+      for (std::size_t lane = 0; lane < std::min(lanes, end - e); ++lane) blocks.add(lane, e + lane, tangent);
     }
   });
 }
 
 void CellShear::declare_pattern(Pattern& pattern) const {
   pattern.begin_term(4);
-  for (const auto& c : cells_) pattern.add_element(c.nodes);
+  for (std::size_t e = 0; e < table_.size(); ++e) pattern.add_element(table_.points_of(e));
 }
 
 }  // namespace sundrape

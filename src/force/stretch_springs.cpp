@@ -1,91 +1,103 @@
 #include "sundrape/force/stretch_springs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <stdexcept>
+
+#include "batch.hpp"
 
 namespace sundrape {
 namespace {
 
-/// What a spring is doing in a given state.
-struct Stretched {
-  Vector3 direction;  // unit vector from i to j
-  Vector3 velocity;   // v_j − v_i [m/s]
-  double length;      // current length [m]
-  double rate;        // its rate [m/s]
-  double stiffness;   // D' k [N/m]
-  double viscosity;   // β k [N s/m]
-  double tension;     // D' k Δb + β k d(length)/dt [N]
-};
-
-Stretched stretched(const StretchSpring& s, const State& state, double relaxation_time, double compression_factor) {
-  Stretched r;
-  const Vector3 chord = point(state.q, s.j) - point(state.q, s.i);
-  r.velocity = point(state.v, s.j) - point(state.v, s.i);
-  r.length = chord.norm();
-  r.direction = chord / r.length;
-  r.rate = r.direction.dot(r.velocity);
-  r.stiffness = r.length < s.length ? compression_factor * s.stiffness : s.stiffness;
-  r.viscosity = relaxation_time * s.stiffness;
-  r.tension = r.stiffness * (r.length - s.length) + r.viscosity * r.rate;
-  return r;
+ElementTable<2, 2> table(std::span<const StretchSpring> springs) {
+  std::vector<ElementTable<2, 2>::Element> rows;
+  rows.reserve(springs.size());
+  for (const auto& s : springs) rows.push_back({{s.i, s.j}, {s.length, s.stiffness}});
+  return ElementTable<2, 2>(rows);
 }
 
 }  // namespace
 
-StretchSprings::StretchSprings(std::vector<StretchSpring> springs, EnergyKind kind, double relaxation_time,
+/// What consecutive springs are doing in a given state.
+struct StretchSprings::Stretched {
+  Batch3 direction;  // unit vector from i to j
+  Batch3 velocity;   // v_j − v_i [m/s]
+  Batch length;      // current length [m]
+  Batch elongation;  // Δb [m]
+  Batch rate;        // its rate [m/s]
+  Batch stiffness;   // D' k [N/m]
+  Batch viscosity;   // β k [N s/m]
+  Batch tension;     // D' k Δb + β k d(length)/dt [N]
+};
+
+StretchSprings::Stretched StretchSprings::stretched(std::size_t first, const State& state,
+                                                    double relaxation_time) const {
+  const auto difference = [&](const ConstVectorRef& x) -> Batch3 {
+    return gather(x, table_.places(1, first)) - gather(x, table_.places(0, first));
+  };
+  const Batch rest = load_batch(table_.numbers_from(Number::length, first));
+  const Batch modulus = load_batch(table_.numbers_from(Number::stiffness, first));
+  const Batch3 chord = difference(state.q);
+  Stretched s;
+  s.velocity = difference(state.v);
+  s.length = xsimd::sqrt(chord.squaredNorm());
+  s.direction = (Batch(1.0) / s.length) * chord;
+  s.elongation = s.length - rest;
+  s.rate = s.direction.dot(s.velocity);
+  s.stiffness = xsimd::select(s.elongation < Batch(0.0), Batch(compression_factor_) * modulus, modulus);
+  s.viscosity = Batch(relaxation_time) * modulus;
+  s.tension = s.stiffness * s.elongation + s.viscosity * s.rate;
+  return s;
+}
+
+StretchSprings::StretchSprings(const std::vector<StretchSpring>& springs, EnergyKind kind, double relaxation_time,
                                double compression_factor)
-    : springs_(std::move(springs)),
-      kind_(kind),
-      relaxation_time_(relaxation_time),
-      compression_factor_(compression_factor) {
+    : kind_(kind), relaxation_time_(relaxation_time), compression_factor_(compression_factor) {
   if (!(relaxation_time >= 0))
     throw std::invalid_argument("the relaxation time of stretching must not be negative [s]");
   if (!(compression_factor >= 0 && compression_factor <= 1))
     throw std::invalid_argument("the compression factor D' must lie in [0, 1]");
-  for (const auto& s : springs_) {
+  for (const auto& s : springs) {
     if (!(s.length > 0)) throw std::invalid_argument("a stretch spring has no length: two nodes coincide at rest");
     if (!(s.stiffness > 0)) throw std::invalid_argument("a stretch spring has no stiffness");
   }
-  const auto reach = [](const StretchSpring& s) { return std::minmax({s.i, s.j}); };
-  std::ranges::sort(springs_, {}, [&](const StretchSpring& s) { return std::pair<int, int>(reach(s)); });
+  const auto reach = [](const StretchSpring& s) { return std::pair<int, int>(std::minmax({s.i, s.j})); };
+  auto sorted = springs;
+  std::ranges::sort(sorted, {}, reach);
   std::vector<std::pair<int, int>> reaches;
-  reaches.reserve(springs_.size());
-  for (const auto& s : springs_) reaches.emplace_back(reach(s));
+  reaches.reserve(sorted.size());
+  for (const auto& s : sorted) reaches.push_back(reach(s));
   stripes_ = Stripes(reaches);
+  table_ = table(sorted);
 }
 
 double StretchSprings::energy(const State& state) const {
   return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (auto e = begin; e < end; ++e) {
-      const auto s = stretched(springs_[e], state, 0, compression_factor_);
-      sum += 0.5 * s.tension * (s.length - springs_[e].length);
-    }
-    return sum;
+    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
+      const auto s = stretched(e, state, 0);
+      return Batch(0.5) * s.tension * s.elongation;
+    });
   });
 }
 
 double StretchSprings::dissipated_power(const State& state) const {
   if (relaxation_time_ == 0) return 0;
   return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (auto e = begin; e < end; ++e) {
-      const auto s = stretched(springs_[e], state, relaxation_time_, compression_factor_);
-      sum += s.viscosity * s.rate * s.rate;
-    }
-    return sum;
+    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
+      const auto s = stretched(e, state, relaxation_time_);
+      return s.viscosity * s.rate * s.rate;
+    });
   });
 }
 
 void StretchSprings::add_force(const State& state, VectorRef f) const {
   stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) {
-      const auto s = stretched(springs_[e], state, relaxation_time_, compression_factor_);
-      const Vector3 pull = s.tension * s.direction;
-      point(f, springs_[e].i) += pull;
-      point(f, springs_[e].j) -= pull;
+    LaneBuffer<6> pull;
+    for (auto e = begin; e < end; e += lanes) {
+      const auto s = stretched(e, state, relaxation_time_);
+      pull.store(0, s.tension * s.direction);
+      pull.store(3, -s.tension * s.direction);
+      for (std::size_t p = 0; p < 2; ++p) scatter_add(pull, 3 * p, table_.places(p, e), std::min(lanes, end - e), f);
     }
   });
 }
@@ -93,37 +105,44 @@ void StretchSprings::add_force(const State& state, VectorRef f) const {
 void StretchSprings::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
   const bool exact = tangent.keeps_unsymmetric() && relaxation_time_ > 0;
   stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) {
-      const auto s = stretched(springs_[e], state, relaxation_time_, compression_factor_);
-      const Matrix3 along = s.direction * s.direction.transpose();
-      const Matrix3 across = Matrix3::Identity() - along;
-      // ∂f_j/∂x_j: along the thread the spring's stiffness, across it the tension over the length.
-      const Matrix3 block = -(dq * s.stiffness + dv * s.viscosity) * along - (dq * s.tension / s.length) * across;
-      if (!exact) {
-        tangent.add_diagonal(e, 0, block);
-        tangent.add_diagonal(e, 1, block);
-        tangent.add_pair(e, 0, 1, -block);
-        continue;
+    LaneMatrices<2> blocks;
+    for (auto e = begin; e < end; e += lanes) {
+      const auto s = stretched(e, state, relaxation_time_);
+      // −∂f_j/∂x_j: along the thread the spring's stiffness, across it the tension over the length
+      const Batch across = Batch(dq) * s.tension / s.length;
+      const Batch3 along = (Batch(dq) * s.stiffness + Batch(dv) * s.viscosity - across) * s.direction;
+      Batch3x3 block = along * s.direction.transpose();
+      block.diagonal().array() += across;
+      if (exact) {  // the spring's rate changes as it turns: β k u ⊗ (I − u⊗u)(v_j − v_i)/length
+        const Batch3 turning = (Batch(dq) * s.viscosity / s.length) * (s.velocity - s.rate * s.direction);
+        block += s.direction * turning.transpose();
       }
-      // the spring's rate changes as it turns: −β k u ⊗ (I − u⊗u)(v_j − v_i)/length
-      const Matrix3 full = block - (dq * s.viscosity / s.length) * s.direction * (across * s.velocity).transpose();
-      tangent.add_diagonal(e, 0, full);
-      tangent.add_diagonal(e, 1, full);
-      tangent.add_general_pair(e, 0, 1, -full, -full);
+      blocks.store(0, block);
+      blocks.store(1, -block);
+      for (std::size_t lane = 0; lane < std::min(lanes, end - e); ++lane) {
+        const Matrix3 &pair = blocks(0, lane), &own = blocks(1, lane);
+        tangent.add_diagonal(e + lane, 0, own);
+        tangent.add_diagonal(e + lane, 1, own);
+        if (exact)
+          tangent.add_general_pair(e + lane, 0, 1, pair, pair);
+        else
+          tangent.add_pair_below(e + lane, 0, 1, pair);
+      }
     }
   });
 }
 
 void StretchSprings::declare_pattern(Pattern& pattern) const {
   pattern.begin_term(2);
-  for (const auto& s : springs_) pattern.add_element(std::array{s.i, s.j});
+  for (std::size_t e = 0; e < table_.size(); ++e) pattern.add_element(table_.points_of(e));
 }
 
 std::pair<double, double> StretchSprings::strain_range(ConstVectorRef q) const {
-  if (springs_.empty()) return {0, 0};
+  if (table_.size() == 0) return {0, 0};
   auto smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
-  for (const auto& s : springs_) {
-    const double strain = (point(q, s.j) - point(q, s.i)).norm() / s.length - 1;
+  for (std::size_t e = 0; e < table_.size(); ++e) {
+    const auto [i, j] = table_.points_of(e);
+    const double strain = (point(q, j) - point(q, i)).norm() / *table_.numbers_from(Number::length, e) - 1;
     smallest = std::min(smallest, strain);
     largest = std::max(largest, strain);
   }

@@ -21,6 +21,7 @@ class Cvode final : public ImplicitIntegrator {
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);
+    forget_matrix();
     if (memory_) {
       bank();
       require_success(CVodeReInit(memory_.get(), time, y_.get()), "CVodeReInit");
@@ -88,16 +89,14 @@ class Cvode final : public ImplicitIntegrator {
     void* data = nullptr;
     require_success(CVodeGetNonlinearSystemData(memory_.get(), &t, &predicted, &y, &f, &gamma, &rl1, &zn1, &data),
                     "CVodeGetNonlinearSystemData");
-    if (const int flag = refresh(t, 1 / gamma, y); flag != 0) return flag;
     const auto n = form_.size() / 2;
     const auto& mass = form_.system().row_mass();
-    r_v_ = sundials::values(f).tail(n);  // CVODE has just evaluated ẏ there
-    for (int r = 0; r < mass.size(); ++r) point(r_v_, r) *= mass[r];
-    newton_.know_forces(r_v_);
+    force_ = sundials::values(f).tail(n);  // CVODE has just evaluated ẏ there
+    for (int r = 0; r < mass.size(); ++r) point(force_, r) *= mass[r];
     r_q_ = sundials::values(b).head(n) / gamma;
     r_v_ = sundials::values(b).tail(n) / gamma;
     for (int r = 0; r < mass.size(); ++r) point(r_v_, r) *= mass[r];
-    return solve(r_q_, r_v_, x);
+    return correct(t, 1 / gamma, y, force_, r_q_, r_v_, x);
   }
 
   void interpolant(double time, N_Vector y) const override {
@@ -132,7 +131,7 @@ class Cvode final : public ImplicitIntegrator {
 
   sundials::EmbeddedSolver embedded_;
   std::unique_ptr<void, Free> memory_;
-  Vector r_q_, r_v_;
+  Vector force_, r_q_, r_v_;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ class Ida final : public ImplicitIntegrator {
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);
+    forget_matrix();
     if (!form_.rates(time, y_.values(), y_dot_.values()))
       throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
     if (memory_) {
@@ -105,15 +106,13 @@ class Ida final : public ImplicitIntegrator {
     void* data = nullptr;
     require_success(IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data),
                     "IDAGetNonlinearSystemData");
-    if (const int flag = refresh(t, c, y); flag != 0) return flag;
     const auto n = form_.size() / 2;
     const auto& mass = form_.system().row_mass();
     force_ = -sundials::values(r).tail(n);  // IDA has just evaluated r there
     for (int row = 0; row < mass.size(); ++row)
       point(force_, row) += mass[row] * sundials::values(y_dot).segment<3>(n + 3 * row);
-    newton_.know_forces(force_);
     const auto right = sundials::values(b);
-    return solve(right.head(n), right.tail(n), x);
+    return correct(t, c, y, force_, right.head(n), right.tail(n), x);
   }
 
   void interpolant(double time, N_Vector y) const override {

@@ -1,6 +1,12 @@
 #include "sundials_integrator.hpp"
 
 namespace sundrape {
+namespace {
+
+// A correction larger than this part of the one before calls for a new matrix.
+constexpr double slow = 0.1;
+
+}  // namespace
 
 SundialsIntegrator::SundialsIntegrator(const System& system, const IntegratorOptions& options, EventSource* events)
     : form_(system), options_(options), events_(events), y_(form_.size(), context_) {}
@@ -63,12 +69,6 @@ ImplicitIntegrator::ImplicitIntegrator(const System& system, std::unique_ptr<Lin
       newton_(system, std::move(solver), options.linear_tolerance),
       weights_{options.rtol, options.atol_position, options.atol_velocity, Vector()} {}
 
-int ImplicitIntegrator::refresh(double time, double c, N_Vector y) {
-  const auto n = form_.size() / 2;
-  const auto at = sundials::values(y);
-  return newton_.prepare(time, c, at.head(n), at.tail(n)) == FactorStatus::ok ? 0 : SUNLS_PACKAGE_FAIL_REC;
-}
-
 int ImplicitIntegrator::evaluate_weights(N_Vector y, N_Vector weights) {
   return carrier_.run([&] {
     weights_.evaluate(sundials::values(y), sundials::values(weights));
@@ -76,10 +76,24 @@ int ImplicitIntegrator::evaluate_weights(N_Vector y, N_Vector weights) {
   });
 }
 
-int ImplicitIntegrator::solve(ConstVectorRef r_q, ConstVectorRef r_v, N_Vector x) {
+int ImplicitIntegrator::correct(double time, double c, N_Vector y, ConstVectorRef force, ConstVectorRef r_q,
+                                ConstVectorRef r_v, N_Vector x) {
   const auto n = form_.size() / 2;
-  auto result = sundials::values(x);
-  return newton_.solve(r_q, r_v, result.head(n), result.tail(n)).ok ? 0 : SUNLS_PACKAGE_FAIL_REC;
+  auto dq = sundials::values(x).head(n), dv = sundials::values(x).tail(n);
+  if (time == matrix_time_ && c == matrix_c_) {
+    const bool solved = newton_.solve(r_q, r_v, dq, dv).ok;
+    const double previous = std::exchange(last_correction_, dq.norm());
+    if (solved && last_correction_ <= slow * previous) return 0;
+  }
+  forget_matrix();
+  const auto at = sundials::values(y);
+  if (newton_.prepare(time, c, at.head(n), at.tail(n)) != FactorStatus::ok) return SUNLS_PACKAGE_FAIL_REC;
+  newton_.know_forces(force);
+  if (!newton_.solve(r_q, r_v, dq, dv).ok) return SUNLS_PACKAGE_FAIL_REC;
+  matrix_time_ = time;
+  matrix_c_ = c;
+  last_correction_ = dq.norm();
+  return 0;
 }
 
 IntegratorStatistics ImplicitIntegrator::with_linear(IntegratorStatistics s) const {

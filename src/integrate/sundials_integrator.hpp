@@ -63,16 +63,20 @@ class ImplicitIntegrator : public SundialsIntegrator {
   ImplicitIntegrator(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options,
                      EventSource* events);
 
-  /// Factors c² M + c C + K at (t, y); SUNDIALS' flag.
-  int refresh(double time, double c, N_Vector y);
   int evaluate_weights(N_Vector y, N_Vector weights);
-  /// Solves the Newton system into x; r_q and r_v as in CondensedNewton; SUNDIALS' flag.
-  int solve(ConstVectorRef r_q, ConstVectorRef r_v, N_Vector x);
+  /// Newton's correction x of the iterate y; r_q and r_v as in CondensedNewton, `force` over the unknowns at y [N];
+  /// SUNDIALS' flag.
+  int correct(double time, double c, N_Vector y, ConstVectorRef force, ConstVectorRef r_q, ConstVectorRef r_v,
+              N_Vector x);
+  void forget_matrix() { matrix_time_ = matrix_c_ = -1; }
   /// counters of the linear algebra
   [[nodiscard]] IntegratorStatistics with_linear(IntegratorStatistics s) const;
 
   CondensedNewton newton_;
   ErrorWeights weights_;
+
+ private:
+  double matrix_time_ = -1, matrix_c_ = -1, last_correction_ = 0;
 };
 
 }  // namespace sundrape

@@ -18,17 +18,18 @@ using PaddedBlock = Eigen::Map<Eigen::Matrix<float, 4, 3>>;
 
 /// Inverse of a symmetric 3×3 block whose pivots all exceed `least`; false if one does not.
 bool invert_definite(const Matrix3& a, double least, Matrix3& inverse) {
-  const double l10 = a(1, 0) / a(0, 0);
-  const double l20 = a(2, 0) / a(0, 0);
-  const double d1 = a(1, 1) - l10 * a(1, 0);
-  const double u21 = a(2, 1) - l20 * a(1, 0);
-  const double l21 = u21 / d1;
-  const double d2 = a(2, 2) - l20 * a(2, 0) - l21 * u21;
-  if (!(a(0, 0) > least && d1 > least && d2 > least)) return false;
-  Matrix3 unit_lower_inverse;
-  unit_lower_inverse << 1, 0, 0, -l10, 1, 0, l10 * l21 - l20, -l21, 1;
-  const Vector3 pivots(1 / a(0, 0), 1 / d1, 1 / d2);
-  inverse = unit_lower_inverse.transpose() * pivots.asDiagonal() * unit_lower_inverse;
+  // pivots are ratios of leading minors; the adjugate needs one division where elimination needs three in a row
+  Matrix3 adjugate;
+  adjugate(0, 0) = a(1, 1) * a(2, 2) - a(2, 1) * a(2, 1);
+  adjugate(1, 0) = a(2, 0) * a(2, 1) - a(1, 0) * a(2, 2);
+  adjugate(2, 0) = a(1, 0) * a(2, 1) - a(2, 0) * a(1, 1);
+  adjugate(1, 1) = a(0, 0) * a(2, 2) - a(2, 0) * a(2, 0);
+  adjugate(2, 1) = a(1, 0) * a(2, 0) - a(0, 0) * a(2, 1);
+  adjugate(2, 2) = a(0, 0) * a(1, 1) - a(1, 0) * a(1, 0);
+  const double minor = adjugate(2, 2);
+  const double determinant = a(0, 0) * adjugate(0, 0) + a(1, 0) * adjugate(1, 0) + a(2, 0) * adjugate(2, 0);
+  if (!(a(0, 0) > least && minor > least * a(0, 0) && determinant > least * minor)) return false;
+  inverse = (1 / determinant) * adjugate.selfadjointView<Eigen::Lower>().toDenseMatrix();
   return true;
 }
 
@@ -121,7 +122,7 @@ void BlockIncompleteCholesky::eliminate(int column) {
       if (*target >= 0) {
         subtract(block + block_floats * *target, update);
       } else if (kept > 0) {
-        const LaneBlock moved{kept * update.c0, kept * update.c1, kept * update.c2};
+        const LaneBlock moved{Lanes(kept) * update.c0, Lanes(kept) * update.c1, Lanes(kept) * update.c2};
         subtract(diagonal(i), moved);
         subtract(diagonal(j), moved);
       }
@@ -135,22 +136,23 @@ void BlockIncompleteCholesky::apply(ConstPaddedRef r, PaddedRef z) const {
   const float* const block = blocks_.data();
   const int n = structure_->size();
   for (int i = 0; i < n; ++i) {  // (I + L) w = r
-    Lanes sum = Lanes::Zero();
+    Sum sum;
     for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < structure_->diagonal(i); ++k)
-      sum = plus_product(sum, load_block(block + block_floats * k),
-                         z.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
-    store(z.data() + 4 * Eigen::Index{i}, load(r.data() + 4 * Eigen::Index{i}) - sum);
+      sum.add(load_block(block + block_floats * k),
+              z.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
+    store(z.data() + 4 * Eigen::Index{i}, load(r.data() + 4 * Eigen::Index{i}) - sum.total());
   }
   for (int j = n - 1; j >= 0; --j) {  // (I + Lᵀ) z = D⁻¹ w
     float* const z_j = z.data() + 4 * Eigen::Index{j};
-    const auto scaled = plus_product(Lanes::Zero(), load_block(block + block_floats * structure_->diagonal(j)), z_j);
+    Sum scaled;
+    scaled.add(load_block(block + block_floats * structure_->diagonal(j)), z_j);
     TransposedSum below;
     for (auto k = columns_.start[static_cast<std::size_t>(j) + 1]; k-- > columns_.start[static_cast<std::size_t>(j)];) {
       const auto place = static_cast<std::size_t>(k);
       below.add(load_block(block + block_floats * columns_.block[place]),
                 load(z.data() + 4 * Eigen::Index{columns_.row[place]}));
     }
-    store(z_j, scaled - below.total());
+    store(z_j, scaled.total() - below.total());
   }
 }
 

@@ -91,6 +91,19 @@ void BlockMatrix::multiply_unsymmetric(ConstVectorRef x, VectorRef y) const {
   }
 }
 
+// Stored is (larger row, smaller row): the block itself if its row is the larger, its transpose otherwise.
+void Assembler::add_pair_to(Slot slot, const Matrix3& block_below) {
+  if (slot.transposed)
+    matrix_->lower(slot.block) += block_below;
+  else
+    matrix_->lower(slot.block) += block_below.transpose();
+  if (!keeps_unsymmetric()) return;
+  if (slot.transposed)
+    matrix_->upper(slot.block) += block_below.transpose();
+  else
+    matrix_->upper(slot.block) += block_below;
+}
+
 double BlockMatrix::asymmetry() const {
   if (symmetry_ == Symmetry::symmetric) return 0;
   double largest = 0;

@@ -118,9 +118,9 @@ SlotTable Pattern::slots(const Term& term, const BlockStructure& structure) cons
         const int i = element[p];
         const int j = element[q];
         if (i < 0 || j < 0)
-          table.slots.push_back({structure.blocks(), false});
+          table.slots.push_back({static_cast<std::int32_t>(structure.blocks()), false});
         else
-          table.slots.push_back({structure.find(std::max(i, j), std::min(i, j)), i < j});
+          table.slots.push_back({static_cast<std::int32_t>(structure.find(std::max(i, j), std::min(i, j))), i < j});
       }
   return table;
 }

@@ -1,14 +1,16 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
+
+#include <xsimd/xsimd.hpp>
 
 namespace sundrape {
 
 /// Three numbers of a block row and a padding zero in one SIMD register.
-using Lanes = Eigen::Array4f;
+using Lanes = xsimd::make_sized_batch_t<float, 4>;
 
-inline Lanes load(const float* p) { return Eigen::Map<const Lanes, Eigen::Aligned16>(p); }
-inline void store(float* p, const Lanes& lanes) { Eigen::Map<Lanes, Eigen::Aligned16>{p} = lanes; }
+inline Lanes load(const float* p) { return Lanes::load_aligned(p); }
+inline void store(float* p, const Lanes& lanes) { lanes.store_aligned(p); }
 
 /// A 3×3 block, one register a column.
 struct LaneBlock {
@@ -22,27 +24,38 @@ inline void store_block(float* p, const LaneBlock& b) {
   store(p + 8, b.c2);
 }
 
-/// sum + B x, x being read from memory.
-inline Lanes plus_product(const Lanes& sum, const LaneBlock& b, const float* x) {
-  return sum + b.c0 * Lanes::Constant(x[0]) + b.c1 * Lanes::Constant(x[1]) + b.c2 * Lanes::Constant(x[2]);
-}
+/// Gathers Σ B x over many blocks, in three chains so that none waits for another.
+struct Sum {
+  LaneBlock products{Lanes(0.0F), Lanes(0.0F), Lanes(0.0F)};
+
+  /// x is read from memory.
+  void add(const LaneBlock& b, const float* x) {
+    products.c0 = xsimd::fma(b.c0, Lanes(x[0]), products.c0);
+    products.c1 = xsimd::fma(b.c1, Lanes(x[1]), products.c1);
+    products.c2 = xsimd::fma(b.c2, Lanes(x[2]), products.c2);
+  }
+  [[nodiscard]] Lanes total() const { return (products.c0 + products.c1) + products.c2; }
+};
 
 /// Gathers Σ Bᵀ x over many blocks; only the end costs sums across lanes.
 struct TransposedSum {
-  LaneBlock products{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
+  LaneBlock products{Lanes(0.0F), Lanes(0.0F), Lanes(0.0F)};
 
   void add(const LaneBlock& b, const Lanes& x) {
-    products.c0 += b.c0 * x;
-    products.c1 += b.c1 * x;
-    products.c2 += b.c2 * x;
+    products.c0 = xsimd::fma(b.c0, x, products.c0);
+    products.c1 = xsimd::fma(b.c1, x, products.c1);
+    products.c2 = xsimd::fma(b.c2, x, products.c2);
   }
-  [[nodiscard]] Lanes total() const { return {products.c0.sum(), products.c1.sum(), products.c2.sum(), 0.0F}; }
+  [[nodiscard]] Lanes total() const {
+    const std::array columns{products.c0, products.c1, products.c2, Lanes(0.0F)};
+    return xsimd::haddp(columns.data());
+  }
 };
 
 /// B Cᵀ.
 inline LaneBlock times_transposed(const LaneBlock& b, const float* c) {
-  const auto column = [&](int i) -> Lanes {
-    return b.c0 * Lanes::Constant(c[i]) + b.c1 * Lanes::Constant(c[4 + i]) + b.c2 * Lanes::Constant(c[8 + i]);
+  const auto column = [&](int i) {
+    return xsimd::fma(b.c0, Lanes(c[i]), xsimd::fma(b.c1, Lanes(c[4 + i]), b.c2 * Lanes(c[8 + i])));
   };
   return {column(0), column(1), column(2)};
 }

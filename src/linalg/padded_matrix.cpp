@@ -9,10 +9,12 @@
 namespace sundrape {
 namespace {
 
-void store_scaled(float* out, const Matrix3& block, double factor) {
-  Eigen::Map<Eigen::Matrix<float, 4, 3>> padded(out);
-  padded.topRows<3>() = (factor * block).cast<float>();
-  padded.row(3).setZero();
+/// Reads one number beyond the block: the first of the block or scratch block that follows it.
+void store_scaled(float* __restrict out, const double* __restrict block, double factor) {
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 4; ++row) out[4 * column + row] = static_cast<float>(factor * block[3 * column + row]);
+    out[4 * column + 3] = 0;
+  }
 }
 
 }  // namespace
@@ -43,8 +45,10 @@ void PaddedMatrix::copy(const BlockMatrix& matrix) {
   for (int i = 0; i < size(); ++i) {
     const auto diagonal = structure_->diagonal(i);
     for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < diagonal; ++k)
-      store_scaled(&blocks_[block_floats * k], matrix.lower(k), factor);
-    store_scaled(&blocks_[block_floats * diagonal], matrix.diagonal(i), factor);
+      store_scaled(&blocks_[block_floats * k], matrix.lower(k).data(), factor);
+    Eigen::Map<Eigen::Matrix<float, 4, 3>> padded(&blocks_[block_floats * diagonal]);
+    padded.topRows<3>() = (factor * matrix.diagonal(i)).cast<float>();
+    padded.row(3).setZero();
   }
 }
 
@@ -53,17 +57,17 @@ void PaddedMatrix::multiply(ConstPaddedRef x, PaddedRef y) const {
   const auto* block = blocks_.data();
   for (int i = 0; i < size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
-    Lanes sum = Lanes::Zero();
+    Sum sum;
     for (auto k = structure_->row_start[row]; k < structure_->row_start[row + 1]; ++k)
-      sum = plus_product(sum, load_block(block + block_floats * k),
-                         x.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
+      sum.add(load_block(block + block_floats * k),
+              x.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
     TransposedSum below;
     for (auto k = columns_.start[row]; k < columns_.start[row + 1]; ++k) {
       const auto place = static_cast<std::size_t>(k);
       below.add(load_block(block + block_floats * columns_.block[place]),
                 load(x.data() + 4 * Eigen::Index{columns_.row[place]}));
     }
-    store(y.data() + 4 * Eigen::Index{i}, sum + below.total());
+    store(y.data() + 4 * Eigen::Index{i}, sum.total() + below.total());
   }
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "sundrape/force/element_table.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/stripes.hpp"
 
@@ -46,10 +47,12 @@ class BendSprings final : public ForceTerm {
     double centre_in_cross;  // weight of the centre in the crossing chord: 0 inside, ±1 on a boundary
     double rest_angle, stiffness;
   };
+  enum Number { skew, rest_angle, stiffness };
   struct Edges;
-  [[nodiscard]] static Edges edges(const Element& element, ConstVectorRef x);
+  [[nodiscard]] Edges edges(std::size_t first, ConstVectorRef x) const;
 
   std::vector<Element> elements_;
+  ElementTable<5, 3> table_;  // the same; where the crossing chord has one neighbour, its other end is the centre
   double relaxation_time_;
   Stripes stripes_;
 };

@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "sundrape/force/element_table.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/stripes.hpp"
 
@@ -26,7 +27,7 @@ class CellShear final : public ForceTerm {
  public:
   /// @param relaxation_time  β [s], ≥ 0
   /// @throws std::invalid_argument  β < 0, or a cell without area or stiffness
-  explicit CellShear(std::vector<ShearCell> cells, double relaxation_time = 0);
+  explicit CellShear(const std::vector<ShearCell>& cells, double relaxation_time = 0);
 
   [[nodiscard]] std::string_view name() const override { return "cell shear"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::shear; }
@@ -37,7 +38,11 @@ class CellShear final : public ForceTerm {
   void declare_pattern(Pattern& pattern) const override;
 
  private:
-  std::vector<ShearCell> cells_;
+  enum Number { half_per_scale, rest, stiffness };
+  struct Sheared;
+  [[nodiscard]] Sheared sheared(std::size_t first, const State& state) const;
+
+  ElementTable<4, 3> table_;
   double relaxation_time_;
   Stripes stripes_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "sundrape/force/element_table.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/stripes.hpp"
 
@@ -23,7 +24,7 @@ class StretchSprings final : public ForceTerm {
   /// @param relaxation_time     β of the Kelvin–Voigt damping [s], ≥ 0
   /// @param compression_factor  D' for shortened springs, in [0, 1]
   /// @throws std::invalid_argument  out of range, or a spring without length or stiffness
-  StretchSprings(std::vector<StretchSpring> springs, EnergyKind kind, double relaxation_time = 0,
+  StretchSprings(const std::vector<StretchSpring>& springs, EnergyKind kind, double relaxation_time = 0,
                  double compression_factor = 1);
 
   [[nodiscard]] std::string_view name() const override { return "stretch springs"; }
@@ -38,7 +39,11 @@ class StretchSprings final : public ForceTerm {
   [[nodiscard]] std::pair<double, double> strain_range(ConstVectorRef q) const;
 
  private:
-  std::vector<StretchSpring> springs_;
+  enum Number { length, stiffness };
+  struct Stretched;
+  [[nodiscard]] Stretched stretched(std::size_t first, const State& state, double relaxation_time) const;
+
+  ElementTable<2, 2> table_;
   EnergyKind kind_;
   double relaxation_time_;
   double compression_factor_;

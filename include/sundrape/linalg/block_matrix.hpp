@@ -75,34 +75,39 @@ class Assembler {
 
   /// Block (p, p) of an element; only its symmetric part reaches a symmetric matrix's solvers.
   void add_diagonal(std::size_t element, int p, const Matrix3& block) {
-    matrix_->lower(table_->at(element, p, p).block) += block;
+    add(matrix_->lower(table_->at(element, p, p).block).data(), block.data());
   }
 
   /// Block (p, q) of an element, and its transpose at (q, p); p < q.
   void add_pair(std::size_t element, int p, int q, const Matrix3& block) {
-    const Slot& slot = table_->at(element, p, q);
-    // stored is (larger row, smaller row): the block itself if p is the larger, its transpose otherwise
-    if (slot.transposed)
-      matrix_->lower(slot.block) += block.transpose();
+    add_pair_below(element, p, q, block.transpose());
+  }
+
+  /// Block (q, p) of an element, and its transpose at (p, q); p < q. Faster than add_pair where the element's points
+  /// are mostly ascending, since the lower triangle is stored.
+  [[gnu::always_inline]] void add_pair_below(std::size_t element, int p, int q, const Matrix3& block) {
+    const Slot slot = table_->at(element, p, q);
+    if (slot.transposed && !keeps_unsymmetric()) [[likely]]
+      add(matrix_->lower(slot.block).data(), block.data());
     else
-      matrix_->lower(slot.block) += block;
-    if (keeps_unsymmetric()) {
-      if (slot.transposed)
-        matrix_->upper(slot.block) += block;
-      else
-        matrix_->upper(slot.block) += block.transpose();
-    }
+      add_pair_to(slot, block);
   }
 
   /// Blocks (p, q) and (q, p) of an element, p < q. A symmetric matrix takes the mean of block and transpose.
   void add_general_pair(std::size_t element, int p, int q, const Matrix3& pq, const Matrix3& qp) {
     if (!keeps_unsymmetric()) return add_pair(element, p, q, 0.5 * (pq + qp.transpose()));
-    const Slot& slot = table_->at(element, p, q);
+    const Slot slot = table_->at(element, p, q);
     matrix_->lower(slot.block) += slot.transposed ? qp : pq;
     matrix_->upper(slot.block) += slot.transposed ? pq : qp;
   }
 
  private:
+  void add_pair_to(Slot slot, const Matrix3& block_below);
+  [[gnu::always_inline]] static void add(double* __restrict target, const double* __restrict block) {
+    for (int i = 0; i < 8; ++i) target[i] += block[i];  // one vector, or a few
+    target[8] += block[8];
+  }
+
   BlockMatrix* matrix_;
   const SlotTable* table_;
 };

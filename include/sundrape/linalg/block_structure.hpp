@@ -35,7 +35,7 @@ struct BlockColumns {
 /// Where an element's block goes: a stored block, and whether it lands there transposed. Blocks of points that are not
 /// unknowns go to the matrix's scratch block, so that assembly needs no branch.
 struct Slot {
-  std::int64_t block = 0;
+  std::int32_t block = 0;
   bool transposed = false;
 };
 
@@ -44,9 +44,11 @@ struct SlotTable {
   int points_per_element = 0;
   std::vector<Slot> slots;
 
+  [[nodiscard]] static constexpr std::size_t pairs(int points) {
+    return static_cast<std::size_t>(points * (points + 1) / 2);
+  }
   [[nodiscard]] const Slot& at(std::size_t element, int p, int q) const {  // requires p ≤ q
-    const auto pairs = static_cast<std::size_t>(points_per_element * (points_per_element + 1) / 2);
-    return slots[element * pairs + static_cast<std::size_t>(q * (q + 1) / 2 + p)];
+    return slots[element * pairs(points_per_element) + pairs(q) + static_cast<std::size_t>(p)];
   }
 };
 
