@@ -104,7 +104,7 @@ Section relaxation() {
                .doc = "Step to start with."},
               {.name = "growth",
                .range = above_to(1, 10),
-               .default_value = "1.3",
+               .default_value = "1.5",
                .doc = "Factor of successive steps."},
               linear_solver(),
               {.name = "c_disp",

@@ -9,7 +9,7 @@ namespace sundrape {
 namespace {
 
 constexpr double largest_jump = 300;    // of the residual in one step
-constexpr double cut = 0.25;            // of the step after a refusal
+constexpr double cut = 0.5;             // of the step after a refusal
 constexpr double smallest_step = 1e-9;  // [s]
 constexpr double largest_step = 1e4;    // [s]; M/h² is then far below any stiffness, yet holds neutral rigid motion
 
@@ -92,6 +92,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     RelaxationStep report{.iteration = result.iterations + 1};
     const Vector force = balance.rows();
     if (force.dot(v) < 0) v.setZero();
+    double move = 0;  // of the node that moves furthest [m]
     for (;; ++report.refused, h *= cut) {
       if (h < smallest_step)
         return stall("relaxation cannot take any step", "two nodes may coincide, or a contact may be far too stiff");
@@ -105,7 +106,8 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
       for (int r = 0; r < unknowns.rows(); ++r) point(right_side, r) += system.row_mass()[r] / h * point(v, r);
       unknowns.clear_held(right_side);
       if (!solver.solve(right_side, step, 1e-8).ok || !step.allFinite() || step.dot(right_side) <= 0) continue;
-      if (options.largest_move > 0 && step.cwiseAbs().maxCoeff() > options.largest_move) continue;
+      move = step.cwiseAbs().maxCoeff();
+      if (options.largest_move > 0 && move > options.largest_move) continue;
       tried = q;
       unknowns.scatter(rows_q + step, tried);
       const double residual = balance.evaluate(tried);
@@ -129,7 +131,9 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
       ++result.iterations;
       return result;
     }
-    h = std::min(h * options.growth, largest_step);
+    // a step that grows moves between h and h² further
+    const double room = options.largest_move > 0 ? std::sqrt(0.9 * options.largest_move / move) : options.growth;
+    h = std::min(h * std::min(options.growth, room), largest_step);
   }
   return result;
 }

@@ -169,7 +169,7 @@ struct RelaxationCase {
   std::string scheme = "implicit";    // implicit | chapter
   std::optional<int> max_iterations;  // default 2000; of the chapter's scheme 1,000,000
   std::optional<double> first_step;   // [s]
-  double growth = 1.3;
+  double growth = 1.5;
   std::string linear_solver = "auto";
   std::optional<double> c_disp;      // [m/N] of the chapter's scheme; default: a safe one from the stiffest mode
   std::optional<double> c_acc;       // [N/m]

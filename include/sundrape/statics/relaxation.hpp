@@ -10,7 +10,7 @@ struct RelaxationOptions {
   double tolerance = 1e-6;  // on |out-of-balance force| / |external force|
   int max_iterations = 2000;
   double first_step = 1e-3;  // [s]
-  double growth = 1.3;       // of the step from one iteration to the next
+  double growth = 1.5;       // of the step from one iteration to the next
   double largest_move = 0;   // of a node in one iteration [m], so that none jumps through an obstacle; 0: no limit
   double force_scale = 0;    // compared with instead of the external force where there is none [N]
 };
