@@ -177,7 +177,7 @@ Section contact() {
   return {
       .name = "contact",
       .heading = "`[contact]`",
-      .doc = "A penalty force between nodes and obstacles that sets in smoothly.",
+      .doc = "A penalty force between points of the cloth and obstacles that sets in smoothly.",
       .keys =
           {
               {.name = "self",
@@ -194,6 +194,12 @@ Section contact() {
                .range = positive(),
                .default_note = "from the load and `penetration`",
                .doc = "Pressure per depth."},
+              {.name = "subdivision",
+               .type = KeyType::integer,
+               .range = from_to(1, 10),
+               .default_value = "2",
+               .doc = "Contact points cut the sides of a cell into so many parts; 1: nodes alone, which `restitution` "
+                      "demands."},
               {.name = "smoothing",
                .unit = "m",
                .range = positive(),

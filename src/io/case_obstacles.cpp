@@ -71,6 +71,12 @@ ContactCase resolve_contact(const CaseSection& section, double thickness) {
   contact.penetration = section.maybe_number("penetration").value_or(0.1 * contact.thickness);
   contact.restitution = section.maybe_number("restitution");
   contact.restitution_speed = section.number("restitution_speed");
+  contact.subdivision = section.integer("subdivision");
+  if (contact.restitution) {
+    if (section.has("subdivision") && contact.subdivision != 1)
+      section.fail("subdivision", "impacts happen to nodes: with contact.restitution it can only be 1");
+    contact.subdivision = 1;
+  }
   return contact;
 }
 

@@ -20,6 +20,8 @@ constexpr double stiffness = 4e6, smoothing = 2e-3;  // a wide smoothing, so tha
 
 const Obstacles floor_at_zero = {std::make_shared<PlaneObstacle>(Vector3::Zero(), Vector3::UnitZ())};
 
+std::vector<ContactPoint> nodes(const std::vector<double>& areas) { return contact_points(areas); }
+
 TestState at(const std::vector<Vector3>& nodes) { return perturbed(nodes, 0, 0, 1); }
 
 /// Nodes close to the surface of a body, from deep in the linear part of the law to just out of reach.
@@ -42,7 +44,7 @@ TEST(ObstacleContact, ForceIsTheGradientAndTangentTheHessianOnEveryCurvature) {
                             std::make_shared<BoxObstacle>(Vector3(0.1, 0.08, 0.06), 0.012),
                             std::make_shared<CylinderObstacle>(0.04, 0.1, 0.012)};
   for (const auto& body : bodies) {
-    const ObstacleContact contact({body}, std::vector<double>(30, 1e-4), {stiffness, smoothing});
+    const ObstacleContact contact({body}, contact_points(std::vector<double>(30, 1e-4)), {stiffness, smoothing});
     const auto state = scattered_over(*body, 30);
     EXPECT_GT(contact.report(state).contacts, 20);
     expect_consistent(contact, state, 1e-6);
@@ -52,7 +54,7 @@ TEST(ObstacleContact, ForceIsTheGradientAndTangentTheHessianOnEveryCurvature) {
 TEST(ObstacleContact, TangentIsExactWhereTwoBodiesAreTouchedAtOnce) {
   const Obstacles corner = {std::make_shared<PlaneObstacle>(Vector3::Zero(), Vector3::UnitZ()),
                             std::make_shared<PlaneObstacle>(Vector3::Zero(), Vector3(1, 0, 0.5))};
-  const ObstacleContact contact(corner, {1e-4, 2e-4}, {stiffness, smoothing});
+  const ObstacleContact contact(corner, nodes({1e-4, 2e-4}), {stiffness, smoothing});
   const auto state = at({{1e-3, 0, 5e-4}, {-1e-3, 0.3, 1e-3}});
   EXPECT_EQ(contact.report(state).contacts, 4);
   expect_consistent(contact, state, 1e-6);
@@ -61,7 +63,7 @@ TEST(ObstacleContact, TangentIsExactWhereTwoBodiesAreTouchedAtOnce) {
 TEST(ObstacleContact, RestingNodeCarriesItsWeightAtTheDepthOfTheLaw) {
   // linear branch: A k (w/2 − gap) = W, so gap = w/2 − W / (A k)
   constexpr double area = 1e-4, weight = 0.6;
-  const ObstacleContact contact(floor_at_zero, {area}, {stiffness, smoothing});
+  const ObstacleContact contact(floor_at_zero, nodes({area}), {stiffness, smoothing});
   const double gap = 0.5 * smoothing - weight / (area * stiffness);
   ASSERT_LT(gap, 0);
   const auto state = at({{0.1, 0.2, gap}});
@@ -76,7 +78,7 @@ TEST(ObstacleContact, RestingNodeCarriesItsWeightAtTheDepthOfTheLaw) {
 }
 
 TEST(ObstacleContact, EnergyIsTheWorkOfPressingANodeDown) {
-  const ObstacleContact contact(floor_at_zero, {1e-4}, {stiffness, smoothing});
+  const ObstacleContact contact(floor_at_zero, nodes({1e-4}), {stiffness, smoothing});
   double work = 0;
   constexpr int steps = 4000;
   constexpr double from = 1.2 * smoothing, to = -0.8 * smoothing, step = (from - to) / steps;
@@ -90,7 +92,7 @@ TEST(ObstacleContact, EnergyIsTheWorkOfPressingANodeDown) {
 
 TEST(ObstacleContact, FarNodesFeelNothing) {
   const Obstacles table = {std::make_shared<BoxObstacle>(Vector3(0.08, 0.08, 0.08), 0.001)};
-  const ObstacleContact contact(table, {1e-4, 1e-4}, {stiffness, smoothing});
+  const ObstacleContact contact(table, nodes({1e-4, 1e-4}), {stiffness, smoothing});
   const auto state = at({{0.2, 0, 0}, {0, 0, 0.04 + 1.001 * smoothing}});
   Vector force = Vector::Zero(6);
   contact.add_force(state, force);
@@ -102,7 +104,7 @@ TEST(ObstacleContact, FarNodesFeelNothing) {
 
 TEST(ObstacleContact, TotalForcesAreKeptApartByObstacleAndSumToTheNodesForces) {
   const Obstacles bodies = {floor_at_zero.front(), std::make_shared<SphereObstacle>(0.05)};
-  const ObstacleContact contact(bodies, {1e-4, 1e-4}, {stiffness, smoothing});
+  const ObstacleContact contact(bodies, nodes({1e-4, 1e-4}), {stiffness, smoothing});
   const auto state = at({{0.3, 0, 0.001}, {0, 0, 0.0495}});
   const auto report = contact.report(state);
   EXPECT_GT(report.total_forces[0].z(), 0);
@@ -115,18 +117,18 @@ TEST(ObstacleContact, TotalForcesAreKeptApartByObstacleAndSumToTheNodesForces) {
 
 TEST(ObstacleContact, ClosestIsTheNearestSurfaceWithItsNormal) {
   const Obstacles bodies = {floor_at_zero.front(), std::make_shared<SphereObstacle>(0.05)};
-  const ObstacleContact contact(bodies, {1e-4}, {stiffness, smoothing});
+  const ObstacleContact contact(bodies, nodes({1e-4}), {stiffness, smoothing});
   const auto above_ball = contact.closest({0, 0, 0.06});
   EXPECT_NEAR(above_ball.first, 0.01, 1e-15);
   const auto over_floor = contact.closest({0.3, 0, 0.02});
   EXPECT_NEAR(over_floor.first, 0.02, 1e-15);
   EXPECT_TRUE(over_floor.second.isApprox(Vector3::UnitZ()));
-  EXPECT_TRUE(std::isinf(ObstacleContact({}, {1e-4}, {stiffness, smoothing}).closest({0, 0, 0}).first));
+  EXPECT_TRUE(std::isinf(ObstacleContact({}, nodes({1e-4}), {stiffness, smoothing}).closest({0, 0, 0}).first));
 }
 
 TEST(ObstacleContact, RefusesNegativeAreasAndMissingBodies) {
-  EXPECT_THROW(ObstacleContact(floor_at_zero, {-1.0}, {stiffness, smoothing}), std::invalid_argument);
-  EXPECT_THROW(ObstacleContact({nullptr}, {1.0}, {stiffness, smoothing}), std::invalid_argument);
+  EXPECT_THROW(ObstacleContact(floor_at_zero, nodes({-1.0}), {stiffness, smoothing}), std::invalid_argument);
+  EXPECT_THROW(ObstacleContact({nullptr}, nodes({1.0}), {stiffness, smoothing}), std::invalid_argument);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sundrape/force/contact_law.hpp"
+#include "sundrape/force/contact_points.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/obstacle.hpp"
 
@@ -11,22 +12,22 @@ namespace sundrape {
 
 /// How the cloth stands to its obstacles at one instant.
 struct ContactReport {
-  int contacts = 0;                   // pairs of a node and an obstacle that press on each other
+  int contacts = 0;                   // pairs of a contact point and an obstacle that press on each other
   double deepest_penetration = 0;     // max(0, −gap) over all of them [m]
   std::vector<Vector3> total_forces;  // on the cloth, one an obstacle [N]
 };
 
-/// Frictionless contact of nodes with rigid obstacles, by penalty.
+/// Frictionless contact of a sheet's points with rigid obstacles, by penalty.
 ///
-/// Every node carries the pressure of the contact law on its tributary area: with gap g, normal n = ∇g and curvature
-/// H = ∇∇g,  W = A ∫p dd,  f = A p n,  ∂f/∂x = A (−p' n nᵀ + p H).
+/// Every point carries the pressure of the contact law on its area: with gap g, normal n = ∇g and curvature
+/// H = ∇∇g,  W = A ∫p dd,  f = A p n,  ∂f/∂x = A (−p' n nᵀ + p H); nodes share them by the point's weights.
 ///
-/// Shapes: N nodes, so q and forces have 3N entries; each node is an element of one point.
+/// Shapes: N nodes, so q and forces have 3N entries; each contact point is an element of up to four points.
 class ObstacleContact final : public ForceTerm {
  public:
-  /// @param areas  tributary area of each node [m²], N, ≥ 0
   /// @throws std::invalid_argument  a negative area, or an empty pointer
-  ObstacleContact(std::vector<std::shared_ptr<const Obstacle>> obstacles, std::vector<double> areas, ContactLaw law);
+  ObstacleContact(std::vector<std::shared_ptr<const Obstacle>> obstacles, std::vector<ContactPoint> points,
+                  ContactLaw law);
 
   [[nodiscard]] std::string_view name() const override { return "obstacle contact"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::contact; }
@@ -46,12 +47,12 @@ class ObstacleContact final : public ForceTerm {
     Eigen::AlignedBox3d reach;  // outside of it there is no force
   };
 
-  /// Calls visit(node, obstacle number, distance) for every pair within reach of each other.
+  /// Calls visit(contact point, obstacle number, distance) for every pair within reach of each other.
   template <class Visit>
   void visit_pairs(const State& state, Visit&& visit) const;
 
   std::vector<Body> bodies_;
-  std::vector<double> areas_;
+  std::vector<ContactPoint> points_;
   ContactLaw law_;
 };
 

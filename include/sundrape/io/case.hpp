@@ -143,6 +143,7 @@ struct ObstacleCase {
 
 struct ContactCase {
   std::optional<double> stiffness;    // pressure per depth [N/m³]; default from the load and the penetration allowed
+  int subdivision = 2;                // contact points cut the sides of a cell into so many parts; 1: nodes alone
   double smoothing = 0;               // distance over which the force sets in [m]; default 0.1 thickness
   double penetration = 0;             // allowed [m]; default 0.1 thickness
   std::optional<double> restitution;  // in [0, 1]; absent: no impact law
