@@ -151,12 +151,13 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
     model.obstacles.push_back(std::move(built.record));
   }
   const double weight_per_area = c.fabric.area_density * model.gravity;
-  const double quarter_bending_length =
-      0.25 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / weight_per_area);
+  // finer nets spread a load over several points
+  const double part_of_bending_length =
+      0.125 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / weight_per_area);
   const double stiffness = c.contact.stiffness.value_or(suggested_stiffness(
       {.weight_per_area = weight_per_area,
        .diagonal = diagonal(model.mesh),
-       .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, quarter_bending_length)},
+       .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, part_of_bending_length)},
       c.contact.penetration));
   auto term = std::make_unique<ObstacleContact>(std::move(obstacles), contact_points(model.mesh, c.contact.subdivision),
                                                 ContactLaw(stiffness, c.contact.smoothing));

@@ -1,6 +1,7 @@
 #include <cvode/cvode.h>
 #include <fmt/format.h>
 
+#include "newton_iteration.hpp"
 #include "sundials_integrator.hpp"
 
 namespace sundrape {
@@ -16,6 +17,7 @@ class Cvode final : public ImplicitIntegrator {
   Cvode(const System& system, std::unique_ptr<LinearSolver> solver, const IntegratorOptions& options,
         EventSource* events)
       : ImplicitIntegrator(system, std::move(solver), options, events),
+        iteration_(y_, context_),
         embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); },
                   context_) {}
 
@@ -66,6 +68,8 @@ class Cvode final : public ImplicitIntegrator {
     const auto weigh = [](N_Vector y, N_Vector w, void* data) { return self(data).evaluate_weights(y, w); };
     require_success(CVodeWFtolerances(m, weigh), "CVodeWFtolerances");
     require_success(CVodeSetLinearSolver(m, embedded_.get(), nullptr), "CVodeSetLinearSolver");
+    require_success(CVodeSetNonlinearSolver(m, iteration_.get()), "CVodeSetNonlinearSolver");
+    iteration_.use_rule();
     require_success(CVodeSetNonlinConvCoef(m, newton_part), "CVodeSetNonlinConvCoef");
     require_success(CVodeSetMaxNumSteps(m, -1), "CVodeSetMaxNumSteps");
     require_success(CVodeSetMaxConvFails(m, 20), "CVodeSetMaxConvFails");
@@ -129,6 +133,7 @@ class Cvode final : public ImplicitIntegrator {
     return fmt::format("{} at t = {:.6g} s, step {:.3g} s; {} ({})", what, time_, h, advice, messages_.last);
   }
 
+  sundials::NewtonIteration iteration_;
   sundials::EmbeddedSolver embedded_;
   std::unique_ptr<void, Free> memory_;
   Vector force_, r_q_, r_v_;

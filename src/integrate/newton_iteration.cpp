@@ -9,6 +9,13 @@ namespace {
 
 constexpr double least_rate_change = 0.3;
 constexpr double divergence = 2;  // growth of the correction
+constexpr double largest = 2;     // weighted error of one coordinate
+
+/// Largest weighted change of a coordinate; y = (q, v).
+double largest_move(N_Vector correction, N_Vector weights) {
+  const auto n = N_VGetLength(correction) / 2;
+  return values(correction).head(n).cwiseProduct(values(weights).head(n)).lpNorm<Eigen::Infinity>();
+}
 
 }  // namespace
 
@@ -28,7 +35,8 @@ int NewtonIteration::test(SUNNonlinearSolver solver, N_Vector /*iterate*/, N_Vec
   SUNNonlinSolGetCurIter(solver, &iteration);
   const double size = N_VWrmsNorm(correction, weights);
   me.rate_ = iteration > 0 ? std::max(least_rate_change * me.rate_, size / me.previous_) : 1.0;
-  if (size * std::min(1.0, me.rate_) <= tolerance) return SUN_NLS_SUCCESS;
+  const double expected = std::min(1.0, me.rate_);
+  if (size * expected <= tolerance && largest_move(correction, weights) * expected <= largest) return SUN_NLS_SUCCESS;
   if (iteration > 0 && size > divergence * me.previous_) return SUN_NLS_CONV_RECVR;
   me.previous_ = size;
   return SUN_NLS_CONTINUE;

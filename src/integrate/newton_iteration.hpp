@@ -5,11 +5,13 @@
 
 namespace sundrape::sundials {
 
-/// Newton's iteration of a step, ended by CVODE's rule: δ_m is the weighted norm of correction m, and the iterate is
-/// taken once δ_m min(1, rate) ≤ tolerance, rate being max(0.3 rate, δ_m/δ_{m−1}), and 1 at the start of each step.
+/// Newton's iteration of a step, ended by CVODE's rule and one more: δ_m is the weighted norm of correction m, and the
+/// iterate is taken once δ_m min(1, rate) ≤ tolerance, rate being max(0.3 rate, δ_m/δ_{m−1}), and 1 at the start of
+/// each step, and once no coordinate alone is expected to be off by more than twice its tolerance.
 ///
-/// IDA's own rule carries the rate over from step to step where the linear solver needs no setup, and so takes the
-/// first iterate even when a node has just met an obstacle.
+/// The norm is a mean over all unknowns: of a large net it lets a single node sink into an obstacle by many times the
+/// tolerance. IDA's own rule carries the rate over from step to step where the linear solver needs no setup, and so
+/// takes the first iterate even when a node has just met an obstacle.
 class NewtonIteration {
  public:
   /// @param like  a vector of the state's size

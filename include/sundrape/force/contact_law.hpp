@@ -31,7 +31,7 @@ class ContactLaw {
 struct ContactLoad {
   double weight_per_area;  // of the cloth [N/m²]
   double diagonal;         // of the sheet [m]
-  double spread;  // width over which the cloth spreads a load [m]: a cell, or half the bending length (B/w)^⅓ if larger
+  double spread;  // width over which the cloth spreads a load [m]: between contact points, or (B/w)^⅓/8 if larger
 };
 
 /// A stiffness that keeps landing cloth from sinking deeper than is allowed [N/m³]:
