@@ -206,15 +206,16 @@ void falls_to_rest(const Table& table) {
   EXPECT_LE(moved.max, same_branch);
 }
 
-/// Shaken at its equilibrium by 0.5 to 1.2 mm, the cloth swings back into it. (Two millimetres take the net on the
-/// 8 cm table into a neighbouring one, 0.7 mm away: nodes of its edge rows have changed their places on the rounding.)
-void swings_back(const Table& table) {
-  const auto b = benchmark("tablecloth_damped.toml", damped_on(table));
+/// Shaken at its equilibrium by 0.5 to 1.4 mm, the cloth swings back into it. Further away are neighbouring equilibria,
+/// in which points of the cloth have changed their places on the table's narrow rounding: on the 4 cm table already 0.8
+/// mm lead into one, 0.64 mm away at one node.
+void swings_back(const Table& table, double speed) {
+  auto b = benchmark("tablecloth_damped.toml", damped_on(table));
   const Vector rest = rest_of("relaxed from flat", b);
   Vector v = Vector::Zero(rest.size());
   for (int i = 0; i < b.model.mesh.nodes(); ++i)
     if (point(rest, i).z() < -0.01)
-      point(v, i).z() = 0.05 * std::sin(40 * (point(rest, i).x() + 2 * point(rest, i).y()));
+      point(v, i).z() = speed * std::sin(40 * (point(rest, i).x() + 2 * point(rest, i).y()));
   const auto integrator = integrator_of(b);
   const auto swing = motion(*b.model.system, *integrator, b.c.output.frame_times, rest, v);
   double away = 0;
@@ -222,14 +223,16 @@ void swings_back(const Table& table) {
   const Distance d = distance(b, swing.position.back(), rest, Matrix3::Identity());
   fmt::print("    shaken, it goes {:.3f} mm away and comes back within {:.1e} mm (RMS), {:.1e} mm (max)\n", 1e3 * away,
              1e3 * d.rms, 1e3 * d.max);
+  b.model.initial = swing.position.back();
+  EXPECT_LE(distance(b, swing.position.back(), equilibrium(b, 1e-9).q, Matrix3::Identity()).max, same_branch);
   EXPECT_LE(d.max, same_branch);
   EXPECT_GT(away, same_branch);  // else it was not shaken
 }
 
 TEST(TableclothVerification, FallsToAnEquilibriumOnTheTableOfTheText) { falls_to_rest(table_of_text); }
 TEST(TableclothVerification, FallsToAnEquilibriumOnTheSmallTable) { falls_to_rest(small_table); }
-TEST(TableclothVerification, SwingsBackToTheStaticStateOnTheTableOfTheText) { swings_back(table_of_text); }
-TEST(TableclothVerification, SwingsBackToTheStaticStateOnTheSmallTable) { swings_back(small_table); }
+TEST(TableclothVerification, SwingsBackToTheStaticStateOnTheTableOfTheText) { swings_back(table_of_text, 0.05); }
+TEST(TableclothVerification, SwingsBackToTheStaticStateOnTheSmallTable) { swings_back(small_table, 0.04); }
 
 TEST(TableclothVerification, EveryWavinessLeadsToAStableRest) {
   for (const auto& table : {table_of_text, small_table})
