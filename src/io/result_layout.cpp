@@ -52,7 +52,7 @@ const std::vector<Meaning>& table() {
       {"/steps/linear_iterations", "1", "iterations of the linear solver"},
       {"/steps/error_test_failures", "1", "attempts rejected by the error test"},
       {"/steps/convergence_failures", "1", "attempts that Newton's method gave up"},
-      {"/steps/contacts", "1", "nodes in contact"},
+      {"/steps/contacts", "1", "pairs of a contact point and an obstacle that press on each other"},
       {"/steps/residual", "1", "norm of the out-of-balance force over the norm of the external force"},
       {"/steps/negative_pivots", "1", "negative pivots of the tangent stiffness; -1: not evaluated"},
       {"/steps/total_energy", "J", "kinetic and stored energy"},

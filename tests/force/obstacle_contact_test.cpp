@@ -8,6 +8,7 @@
 #include "sundrape/force/obstacle_cylinder.hpp"
 #include "sundrape/force/obstacle_plane.hpp"
 #include "sundrape/force/obstacle_sphere.hpp"
+#include "sundrape/mesh/builders.hpp"
 
 #include "support/force_term_checks.hpp"
 
@@ -49,6 +50,19 @@ TEST(ObstacleContact, ForceIsTheGradientAndTangentTheHessianOnEveryCurvature) {
     EXPECT_GT(contact.report(state).contacts, 20);
     expect_consistent(contact, state, 1e-6);
   }
+}
+
+TEST(ObstacleContact, PointsBetweenNodesPushOnTheNodesAroundThem) {
+  const auto mesh = rectangle(0.02, 0.02, 2, 2);
+  const ObstacleContact contact(floor_at_zero, contact_points(mesh, 3), {stiffness, smoothing});
+  auto state = perturbed(mesh.reference, 1e-3, 0, 2);
+  EXPECT_GT(contact.report(state).contacts, 30);
+  expect_consistent(contact, state, 1e-6);
+  Vector f = Vector::Zero(state.q.size());
+  contact.add_force(state, f);
+  Vector3 sum = Vector3::Zero();
+  for (int i = 0; i < mesh.nodes(); ++i) sum += f.segment<3>(3 * i);
+  EXPECT_NEAR((sum - contact.report(state).total_forces[0]).norm(), 0, 1e-12 * sum.norm());
 }
 
 TEST(ObstacleContact, TangentIsExactWhereTwoBodiesAreTouchedAtOnce) {

@@ -20,9 +20,9 @@ struct IntegratorOptions {
   double atol_position = 0;  // [m]
   double atol_velocity = 0;  // [m/s]
   int max_order = 2;
-  std::optional<double> first_step, max_step;  // [s]
-  double fixed_step = 0;                       // [s], Runge–Kutta only
-  double linear_tolerance = 3e-3;              // of iterative linear solves, relative
+  std::optional<double> first_step{}, max_step{};  // [s]
+  double fixed_step = 0;                           // [s], Runge–Kutta only
+  double linear_tolerance = 3e-3;                  // of iterative linear solves, relative
 };
 
 struct IntegratorStatistics {
