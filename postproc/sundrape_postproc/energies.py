@@ -55,13 +55,13 @@ def method_dissipation(result: Result) -> np.ndarray | None:
 
 
 def deepest_penetration(result: Result) -> float | None:
-    """[m], of the whole run where its statistics tell, else of the frames; None where nothing tells."""
-    for name in ("deepest_penetration", "penetration"):
-        if isinstance(value := result.statistics.get(name), int | float):
-            return float(value)
+    """[m], of the whole motion (statics: of its end) where statistics tell, else of the frames; None where nothing tells."""
+    value = result.statistics.get("deepest_penetration_m")
+    if isinstance(value, int | float):
+        return float(value)
     if result.penetration is None or not np.isfinite(result.penetration).any():
         return None
-    return float(np.nanmax(result.penetration))
+    return float(result.penetration[-1] if result.is_static else np.nanmax(result.penetration))
 
 
 def facts(result: Result) -> list[tuple[str, str]]:

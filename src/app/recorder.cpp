@@ -227,10 +227,6 @@ nlohmann::json Recorder::summary(const std::string& status, const std::string& m
     j["final"]["reaction_N"][model_.reactions[k].name] = {last_.reactions[k].x(), last_.reactions[k].y(),
                                                           last_.reactions[k].z()};
   j["weight_N"] = model_.weight;
-  j["largest_edge_strain"] = extremes_.largest_edge_strain;
-  j["smallest_edge_strain"] = extremes_.smallest_edge_strain;
-  j["deepest_penetration_m"] = extremes_.deepest_penetration;
-  j["sharpest_bend_deg"] = extremes_.sharpest_bend * 180 / std::numbers::pi;
   for (const auto& s : statistics_) std::visit([&](const auto& value) { j[s.name] = value; }, s.value);
   j["warnings"] = warnings_;
   return j;

@@ -44,8 +44,15 @@ void require_room(const RunOptions& options, const std::filesystem::path& output
 }
 
 /// What a user should know about the numbers before using them.
-void warn_of_extremes(const Case& c, Recorder& recorder) {
+void report_extremes(const Case& c, Recorder& recorder) {
   const auto& e = recorder.extremes();
+  const bool dynamics = c.analysis == Analysis::dynamics;
+  const std::string when = dynamics ? "at any time" : "at the end", of_frames = dynamics ? "over the frames" : when;
+  recorder.statistic("largest_edge_strain", e.largest_edge_strain, "of a thread segment, " + of_frames);
+  recorder.statistic("smallest_edge_strain", e.smallest_edge_strain, "of a thread segment, " + of_frames);
+  recorder.statistic("deepest_penetration_m", e.deepest_penetration, "of a contact point into an obstacle, " + when);
+  recorder.statistic("sharpest_bend_deg", e.sharpest_bend * 180 / std::numbers::pi,
+                     "turn of a thread from one edge to the next, " + of_frames);
   if (e.deepest_penetration > c.contact.penetration)
     recorder.warn(fmt::format(
         "the cloth sank {:.3g} mm into an obstacle, more than the {:.3g} mm allowed: raise contact.stiffness",
@@ -108,7 +115,7 @@ ExitStatus run_case(const RunOptions& options) {
     progress.say(fmt::format("{}: {} nodes, {} unknowns, {}", c.title, model.mesh.nodes(),
                              model.system->unknowns().size(), dynamics ? "dynamics" : "relaxation"));
     end = dynamics ? run_dynamics(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
-    warn_of_extremes(c, recorder);
+    report_extremes(c, recorder);
     recorder.statistic("wall_seconds", recorder.clock().wall(), "wall-clock time [s]");
     recorder.statistic("cpu_seconds", recorder.clock().cpu(), "processor time, all threads [s]");
     recorder.finish(end.status, end.message);

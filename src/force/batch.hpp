@@ -27,7 +27,7 @@ struct Eigen::NumTraits<sundrape::Batch> : Eigen::NumTraits<double> {
   using NonInteger = sundrape::Batch;
   using Nested = sundrape::Batch;
   using Literal = sundrape::Batch;
-  enum { RequireInitialization = 0 };
+  enum { RequireInitialization = 0 };  // NOLINT(readability-identifier-naming): Eigen's name
 };
 
 namespace sundrape {
@@ -66,8 +66,8 @@ class LaneBuffer {
 
 /// Stores the first numbers of every lane at first[9 lane]; returns how many: all 8 that fit a register of 8 lanes,
 /// none on machines with narrower ones.
-inline std::size_t store_turned(const Batch* numbers, double* first) {
 #ifdef __AVX512F__
+inline std::size_t store_turned(const Batch* numbers, double* first) {
   __m512d a[8], b[8];  // NOLINT(modernize-avoid-c-arrays): the attributes of the type do not survive std::array
   for (std::size_t i = 0; i < 8; i += 2) {  // pairs, then fours, then eights
     const __m512d even = numbers[i], odd = numbers[i + 1];
@@ -83,12 +83,10 @@ inline std::size_t store_turned(const Batch* numbers, double* first) {
     _mm512_storeu_pd(first + 9 * (i + 4), __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15));
   }
   return 8;
-#else
-  static_cast<void>(numbers);
-  static_cast<void>(first);
-  return 0;
-#endif
 }
+#else
+inline std::size_t store_turned(const Batch* /*numbers*/, double* /*first*/) { return 0; }
+#endif
 
 /// 3×3 matrices of a batch, each lane's in one piece.
 template <std::size_t count>

@@ -43,6 +43,7 @@ void CaseDescription::maybe_number(std::string_view key, const std::optional<dou
 
 void CaseDescription::numbers(std::string_view key, const std::vector<double>& values) {
   std::vector<std::string> printed;
+  printed.reserve(values.size());
   for (const double value : values) printed.push_back(shortest(value));
   verbatim(key, fmt::format("[{}]{}", fmt::join(printed, ", "), unit(key)));
 }
