@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "sample_cases.hpp"
 
@@ -79,6 +80,31 @@ TEST(Model, TheFloorCarriesTheWeightOfASheetAtRest) {
   EXPECT_NEAR(report.total_forces.at(0).z() / sheet_weight, 1, 1e-4);
   EXPECT_EQ(report.contacts, 7 * 9);               // 4 × 5 nodes, and a point between any two neighbours
   EXPECT_LT(report.deepest_penetration, 0.05e-3);  // a tenth of the thickness, which is what the stiffness is for
+}
+
+TEST(Model, ForcesAndTangentsAreTheSameBitsForAnyNumberOfThreads) {
+  const auto model = samples::model_of(sheet_case(hung, "shape = \"rectangle\"\nsize = [0.4, 0.4]\ncells = [40, 40]"));
+  Vector q = model.initial, v(q.size());
+  for (int i = 0; i < q.size(); ++i) {
+    q[i] += 1e-3 * std::sin(37.0 * i);
+    v[i] = 0.1 * std::cos(11.0 * i);
+  }
+  const auto computed = [&](int threads) {
+    omp_set_num_threads(threads);
+    Vector f(q.size());
+    model.system->force({0, q, v}, f);
+    BlockMatrix matrix(model.system->structure(), Symmetry::symmetric);
+    model.system->add_tangent({0, q, v}, -1, -600, matrix);
+    const auto values = matrix.lower_values();
+    return std::pair(f, std::vector<double>(values.begin(), values.end() - 9));  // without the scratch block
+  };
+  const auto one = computed(1);
+  for (const int threads : {2, 3}) {
+    const auto more = computed(threads);
+    EXPECT_EQ(more.first, one.first) << threads;
+    EXPECT_EQ(more.second, one.second) << threads;
+  }
+  omp_set_num_threads(1);
 }
 
 TEST(Model, StaticLoadsHaveTheirFullSizeWhateverTheirRamp) {

@@ -24,12 +24,9 @@ class Stripes {
   template <class Body>
   void for_each(const Body& body) const {
     const auto stripes = static_cast<int>(bounds_.size()) - 1;
-    if (stripes < 2 || omp_get_max_threads() < 2) {
-      if (stripes > 0) body(bounds_.front(), bounds_.back());
-      return;
-    }
+    // the same order for one thread: points that two stripes share then gather their parts in the same order
     for (int colour = 0; colour < 2; ++colour) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (stripes > 1 && omp_get_max_threads() > 1)
       for (int s = colour; s < stripes; s += 2)
         body(bounds_[static_cast<std::size_t>(s)], bounds_[static_cast<std::size_t>(s) + 1]);
     }
