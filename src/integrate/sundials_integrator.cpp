@@ -81,9 +81,10 @@ int ImplicitIntegrator::correct(double time, double c, N_Vector y, ConstVectorRe
   const auto n = form_.size() / 2;
   auto dq = sundials::values(x).head(n), dv = sundials::values(x).tail(n);
   if (time == matrix_time_ && c == matrix_c_) {
-    const bool solved = newton_.solve(r_q, r_v, dq, dv).ok;
-    const double previous = std::exchange(last_correction_, dq.norm());
-    if (solved && last_correction_ <= slow * previous) return 0;
+    const double largest = slow * last_correction_;
+    const bool solved = newton_.solve(r_q, r_v, dq, dv, largest).ok;
+    last_correction_ = dq.norm();
+    if (solved && last_correction_ <= largest) return 0;
   }
   forget_matrix();
   const auto at = sundials::values(y);

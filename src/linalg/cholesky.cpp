@@ -98,7 +98,7 @@ FactorStatus Cholesky::factor(const BlockMatrix& matrix) {
   return status;
 }
 
-SolveReport Cholesky::solve(ConstVectorRef b, VectorRef x, double /*tolerance*/) {
+SolveReport Cholesky::solve(ConstVectorRef b, VectorRef x, double /*tolerance*/, double /*largest*/) {
   if (!factored_) return {false, 0, "Cholesky: the last matrix could not be factored"};
   if (!parts_->solve(b, x)) return {false, 0, "Cholesky: the triangular solves failed"};
   if (!x.allFinite()) return {false, 0, "Cholesky: the solution is not finite"};

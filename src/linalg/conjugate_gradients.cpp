@@ -11,17 +11,18 @@ namespace {
 // Recursive residuals in single precision are trusted down to here.
 constexpr double least_single_tolerance = 1e-5;
 
-enum class End { converged, too_many_iterations, negative_curvature, not_finite };
+enum class End { converged, too_large, too_many_iterations, negative_curvature, not_finite };
 
 struct Outcome {
   End end;
   int iterations;
 };
 
-/// Solves A x = b from the x given, with r = b − A x on entry, down to |r| ≤ tolerance.
-/// multiply(p, q): q = A p; precondition(r, z): z ≈ A⁻¹ r.
+/// Solves A x = b from the x given, with r = b − A x on entry, down to |r| ≤ tolerance. From x = 0 the iterates only
+/// grow (in the preconditioner's norm: Steihaug 1983), so once |x| exceeds `largest` the solution does. multiply(p, q):
+/// q = A p; precondition(r, z): z ≈ A⁻¹ r.
 template <class V, class Multiply, class Precondition>
-Outcome iterate(V& x, V& r, double tolerance, int max_iterations, const Multiply& multiply,
+Outcome iterate(V& x, V& r, double tolerance, double largest, int max_iterations, const Multiply& multiply,
                 const Precondition& precondition) {
   using Scalar = typename V::Scalar;
   V p(r.size());
@@ -47,6 +48,7 @@ Outcome iterate(V& x, V& r, double tolerance, int max_iterations, const Multiply
     const Scalar step = rz / curvature;
     x += step * p;
     r -= step * q;
+    if (static_cast<double>(x.norm()) > largest) return {End::too_large, iteration + 1};
   }
 }
 
@@ -54,6 +56,9 @@ SolveReport report(const Outcome& outcome, int iterations_before) {
   SolveReport report{outcome.end == End::converged, iterations_before + outcome.iterations, ""};
   switch (outcome.end) {
     case End::converged:
+      break;
+    case End::too_large:
+      report.problem = "the solution is larger than what is of use";
       break;
     case End::too_many_iterations:
       report.problem =
@@ -90,7 +95,7 @@ FactorStatus ConjugateGradients::factor(const BlockMatrix& matrix) {
   return FactorStatus::ok;
 }
 
-SolveReport ConjugateGradients::solve(ConstVectorRef b, VectorRef x, double tolerance) {
+SolveReport ConjugateGradients::solve(ConstVectorRef b, VectorRef x, double tolerance, double largest) {
   x.setZero();
   if (matrix_ == nullptr) return {false, 0, "conjugate gradients: the last matrix has no preconditioner"};
   const double size = b.norm();
@@ -110,15 +115,20 @@ SolveReport ConjugateGradients::solve(ConstVectorRef b, VectorRef x, double tole
   if (tolerance >= least_single_tolerance) {
     pad(r, 1, padded_r);
     const auto single = iterate(
-        padded_x, padded_r, 0.9 * tolerance, max_iterations_, [&](const auto& p, auto& q) { padded_->multiply(p, q); },
+        padded_x, padded_r, 0.9 * tolerance, largest / unscale, max_iterations_,
+        [&](const auto& p, auto& q) { padded_->multiply(p, q); },
         [&](const auto& from, auto& to) { preconditioner_->apply(from, to); });
     iterations = single.iterations;
     if (single.end != End::not_finite) unpad(padded_x, 1, solution);
+    if (single.end == End::too_large) {
+      x = unscale * solution;
+      return report(single, 0);
+    }
     matrix_->multiply(solution, product);
     r -= product / padded_->scale();
   }
   const auto rest = iterate(
-      solution, r, tolerance, max_iterations_ - iterations,
+      solution, r, tolerance, largest / unscale, max_iterations_ - iterations,
       [&](const auto& p, auto& q) {
         matrix_->multiply(p, q);
         q /= padded_->scale();

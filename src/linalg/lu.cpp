@@ -88,7 +88,7 @@ FactorStatus Lu::factor(const BlockMatrix& matrix) {
   return status;
 }
 
-SolveReport Lu::solve(ConstVectorRef b, VectorRef x, double /*tolerance*/) {
+SolveReport Lu::solve(ConstVectorRef b, VectorRef x, double /*tolerance*/, double /*largest*/) {
   if (!factored_) return {false, 0, "LU: the last matrix could not be factored"};
   x = b;
   if (klu_l_solve(parts_->symbolic.get(), parts_->numeric.get(), b.size(), 1, x.data(), &parts_->common) == 0)

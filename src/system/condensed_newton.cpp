@@ -47,7 +47,7 @@ FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, C
   return status;
 }
 
-SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv) {
+SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv, double largest) {
   const Stopwatch watch(counters_.solve_seconds);
   right_side_ = r_v;
   if (r_q.lpNorm<Eigen::Infinity>() > rounding * c_ * q_.lpNorm<Eigen::Infinity>()) {
@@ -60,7 +60,7 @@ SolveReport CondensedNewton::solve(ConstVectorRef r_q, ConstVectorRef r_v, Vecto
   const double norm = right_side_.norm();
   if (first_norm_ == 0) first_norm_ = norm;
   const double tolerance = norm > 0 ? std::clamp(tolerance_ * first_norm_ / norm, tolerance_, loosest) : tolerance_;
-  auto report = solver_->solve(right_side_, dq, tolerance);
+  auto report = solver_->solve(right_side_, dq, tolerance, largest);
   ++counters_.solves;
   counters_.linear_iterations += report.iterations;
   if (report.ok && !dq.allFinite()) report = {false, report.iterations, "the solution is not finite"};

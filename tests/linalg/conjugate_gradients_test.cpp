@@ -33,6 +33,24 @@ TEST(ConjugateGradients, ReachesTheToleranceAskedForInTheTrueResidual) {
   }
 }
 
+TEST(ConjugateGradients, GivesUpOnSolutionsThatAreTooLargeToBeOfUse) {
+  const auto net = net_matrix({.nodes_per_side = 21, .rate = 60});
+  ConjugateGradients solver;
+  ASSERT_EQ(solver.factor(*net.matrix), FactorStatus::ok);
+  const Vector b = random_vector(3 * net.matrix->size(), 1);
+  Vector x(b.size());
+  const auto whole = solver.solve(b, x, 1e-4);
+  ASSERT_TRUE(whole.ok);
+  const double size = x.norm();
+  const auto refused = solver.solve(b, x, 1e-4, 0.5 * size);
+  EXPECT_FALSE(refused.ok);
+  EXPECT_LT(refused.iterations, whole.iterations);
+  EXPECT_GT(x.norm(), 0.5 * size);
+  const auto accepted = solver.solve(b, x, 1e-4, 1.1 * size);
+  EXPECT_TRUE(accepted.ok) << accepted.problem;
+  EXPECT_EQ(accepted.iterations, whole.iterations);
+}
+
 TEST(ConjugateGradients, DoesNotCareForTheUnitsOfMatrixAndRightSide) {
   for (const double units : {1e-30, 1.0, 1e30}) {
     auto net = net_matrix({.nodes_per_side = 8});

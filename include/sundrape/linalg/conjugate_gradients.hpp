@@ -25,7 +25,8 @@ class ConjugateGradients final : public LinearSolver {
   void analyse(const BlockStructure& structure) override;
   /// Keeps a reference to the matrix.
   [[nodiscard]] FactorStatus factor(const BlockMatrix& matrix) override;
-  [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance) override;
+  [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance,
+                                  double largest = std::numeric_limits<double>::infinity()) override;
 
  private:
   std::unique_ptr<Preconditioner> preconditioner_;

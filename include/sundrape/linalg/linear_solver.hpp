@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,8 +32,11 @@ class LinearSolver {
   virtual void analyse(const BlockStructure& structure) = 0;
   [[nodiscard]] virtual FactorStatus factor(const BlockMatrix& matrix) = 0;
   /// @param tolerance  on |b − A x| / |b|; direct solvers ignore it
-  /// b and x: 3n, may not overlap. x need not be set; after a failure of an iterative solver it is the iterate reached.
-  [[nodiscard]] virtual SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance) = 0;
+  /// @param largest    |x| of a solution that is still of use: iterative solvers whose iterates only grow give up
+  /// beyond b and x: 3n, may not overlap. x need not be set; after a failure of an iterative solver it is the iterate
+  /// reached.
+  [[nodiscard]] virtual SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance,
+                                          double largest = std::numeric_limits<double>::infinity()) = 0;
   /// Number of negative eigenvalues of the last factored matrix where the factor tells it (Sylvester's law of inertia).
   [[nodiscard]] virtual std::optional<int> negative_pivots() const { return std::nullopt; }
 };

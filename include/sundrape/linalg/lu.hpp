@@ -20,7 +20,8 @@ class Lu final : public LinearSolver {
   [[nodiscard]] Symmetry symmetry() const override { return Symmetry::unsymmetric; }
   void analyse(const BlockStructure& structure) override;
   [[nodiscard]] FactorStatus factor(const BlockMatrix& matrix) override;
-  [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance) override;
+  [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance,
+                                  double largest = std::numeric_limits<double>::infinity()) override;
 
  private:
   struct Parts;

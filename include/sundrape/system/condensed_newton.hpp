@@ -29,8 +29,10 @@ class CondensedNewton {
   /// Tells the forces [N] over the unknowns where the matrix was assembled, if they are at hand: it saves evaluating
   /// them.
   void know_forces(ConstVectorRef rows);
-  /// All vectors are rows, 3n; r_v is a force [N], r_q a rate [m/s].
-  SolveReport solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv);
+  /// All vectors are rows, 3n; r_v is a force [N], r_q a rate [m/s]. |dq| above `largest` [m] is of no use: an
+  /// iterative solver may then give up.
+  SolveReport solve(ConstVectorRef r_q, ConstVectorRef r_v, VectorRef dq, VectorRef dv,
+                    double largest = std::numeric_limits<double>::infinity());
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
   [[nodiscard]] LinearSolver& solver() { return *solver_; }
