@@ -89,7 +89,7 @@ class CommandLineTest(unittest.TestCase):
     def command(self, *arguments):
         return [EXECUTABLE, *map(str, arguments)]
 
-    def sundrape(self, *arguments, timeout=60):
+    def sundrape(self, *arguments, timeout=600):
         """Runs it in the scratch folder, where relative names mean the test's own files."""
         return subprocess.run(self.command(*arguments), cwd=self.folder, capture_output=True, text=True, timeout=timeout)
 
