@@ -26,9 +26,9 @@ class TimedSolver final : public LinearSolver {
     seconds_.factor += clock.seconds();
     return status;
   }
-  [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance) override {
+  [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance, double largest) override {
     const CpuClock clock;
-    auto report = solver_->solve(b, x, tolerance);
+    auto report = solver_->solve(b, x, tolerance, largest);
     seconds_.solve += clock.seconds();
     return report;
   }
