@@ -2,6 +2,8 @@
 
 #include <fstream>
 #include <numbers>
+#include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -114,7 +116,15 @@ ExitStatus run_case(const RunOptions& options) {
     Progress progress(options.verbosity);
     progress.say(fmt::format("{}: {} nodes, {} unknowns, {}", c.title, model.mesh.nodes(),
                              model.system->unknowns().size(), dynamics ? "dynamics" : "relaxation"));
-    end = dynamics ? run_dynamics(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
+    try {
+      end = dynamics ? run_dynamics(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
+    } catch (const FileError&) {  // the result itself cannot be written
+      throw;
+    } catch (const std::system_error&) {
+      throw;
+    } catch (const std::runtime_error& problem) {  // a library's call failed: what was computed is finished properly
+      end = {ResultStatus::failed, problem.what()};
+    }
     report_extremes(c, recorder);
     recorder.statistic("wall_seconds", recorder.clock().wall(), "wall-clock time [s]");
     recorder.statistic("cpu_seconds", recorder.clock().cpu(), "processor time, all threads [s]");
