@@ -26,10 +26,8 @@ void FullSizeMatrix::assemble(const State& all) {
   damping_.set_zero();
   system_.add_tangent(all, -1, 0, stiffness_);
   system_.add_tangent(all, 0, -1, damping_);
-  for (const auto& [row, component] : system_.unknowns().held_components()) {
-    stiffness_.hold(row, component, 0);
-    damping_.hold(row, component, 0);
-  }
+  system_.hold(stiffness_, 0);
+  system_.hold(damping_, 0);
 }
 
 void FullSizeMatrix::fill_newton(double c) {

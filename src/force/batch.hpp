@@ -9,6 +9,8 @@
 #include <Eigen/Core>
 #include <xsimd/xsimd.hpp>
 
+#include "sundrape/force/element_table.hpp"
+#include "sundrape/force/stripes.hpp"
 #include "sundrape/types.hpp"
 
 namespace sundrape {
@@ -32,17 +34,23 @@ struct Eigen::NumTraits<sundrape::Batch> : Eigen::NumTraits<double> {
 
 namespace sundrape {
 
-/// `lanes` consecutive numbers of a column; it must reach that far.
-inline Batch load_batch(const double* column) { return Batch::load_unaligned(column); }
+/// Number k of `lanes` elements of a table from e on.
+template <std::size_t points, std::size_t numbers>
+Batch load(const ElementTable<points, numbers>& table, std::size_t k, std::size_t e) {
+  static_assert(lanes <= 8, "an ElementTable pads its columns for registers of 8 doubles");
+  return Batch::load_unaligned(table.column(k, e));
+}
 
-/// The 3-vectors that start at x[places[0]], x[places[1]], …, one a lane.
-inline Batch3 gather(const ConstVectorRef& x, const std::int64_t* places) {
+/// The 3-vectors that x has for point p of `lanes` elements from e on.
+template <std::size_t points, std::size_t numbers>
+Batch3 gather(const ConstVectorRef& x, const ElementTable<points, numbers>& table, std::size_t p, std::size_t e) {
   const double* const from = x.data();
+  const std::int64_t* const start = table.starts(p, e);
   std::array<Batch, 3> components;
   for (std::size_t i = 0; i < 3; ++i) {
-    alignas(64) std::array<double, lanes> numbers;  // a plain loop: the compiler knows the machine's gather
-    for (std::size_t lane = 0; lane < lanes; ++lane) numbers[lane] = from[places[lane] + static_cast<std::int64_t>(i)];
-    components[i] = Batch::load_aligned(numbers.data());
+    alignas(64) std::array<double, lanes> of_lane;  // a plain loop: the compiler knows the machine's gather
+    for (std::size_t lane = 0; lane < lanes; ++lane) of_lane[lane] = from[start[lane] + static_cast<std::int64_t>(i)];
+    components[i] = Batch::load_aligned(of_lane.data());
   }
   return {components[0], components[1], components[2]};
 }
@@ -64,10 +72,10 @@ class LaneBuffer {
   alignas(64) std::array<double, size * lanes> values_;
 };
 
-/// Stores the first numbers of every lane at first[9 lane]; returns how many: all 8 that fit a register of 8 lanes,
+/// Transposes the first numbers of every lane to first[9 lane]; returns how many: all 8 that fit a register of 8 lanes,
 /// none on machines with narrower ones.
 #ifdef __AVX512F__
-inline std::size_t store_turned(const Batch* numbers, double* first) {
+inline std::size_t store_transposed(const Batch* numbers, double* first) {
   __m512d a[8], b[8];  // NOLINT(modernize-avoid-c-arrays): the attributes of the type do not survive std::array
   for (std::size_t i = 0; i < 8; i += 2) {  // pairs, then fours, then eights
     const __m512d even = numbers[i], odd = numbers[i + 1];
@@ -85,7 +93,7 @@ inline std::size_t store_turned(const Batch* numbers, double* first) {
   return 8;
 }
 #else
-inline std::size_t store_turned(const Batch* /*numbers*/, double* /*first*/) { return 0; }
+inline std::size_t store_transposed(const Batch* /*numbers*/, double* /*first*/) { return 0; }
 #endif
 
 /// 3×3 matrices of a batch, each lane's in one piece.
@@ -96,7 +104,7 @@ class LaneMatrices {
   void store(std::size_t k, const Eigen::MatrixBase<Derived>& matrix) {
     const Batch3x3 evaluated = matrix;
     double* const first = matrices_[k][0].data();
-    const auto done = store_turned(evaluated.data(), first);
+    const auto done = store_transposed(evaluated.data(), first);
     alignas(64) std::array<double, lanes> numbers;
     for (std::size_t i = done; i < 9; ++i) {
       evaluated.data()[i].store_aligned(numbers.data());
@@ -109,26 +117,37 @@ class LaneMatrices {
   std::array<std::array<Matrix3, lanes>, count> matrices_;
 };
 
-/// Σ over [begin, end) of a kernel that gives the values of `lanes` elements from its argument on.
-template <class Kernel>
-double sum_in_batches(std::size_t begin, std::size_t end, const Kernel& kernel) {
-  double sum = 0;
-  LaneBuffer<1> values;
-  for (auto e = begin; e < end; e += lanes) {
-    values.store(0, kernel(e));
-    for (std::size_t lane = 0; lane < std::min(lanes, end - e); ++lane) sum += values(0, lane);
-  }
-  return sum;
+/// Calls body(e, count) for batches of elements e, e + 1, …, of which the first `count` ≤ `lanes` count.
+template <class Body>
+void for_each_batch(const Stripes& stripes, const Body& body) {
+  stripes.for_each([&](std::size_t begin, std::size_t end) {
+    for (auto e = begin; e < end; e += lanes) body(e, std::min(lanes, end - e));
+  });
 }
 
-/// f[places[l] …] += the buffer's vector k of lane l, for the first `count` lanes.
-template <std::size_t size>
-void scatter_add(const LaneBuffer<size>& buffer, std::size_t k, const std::int64_t* places, std::size_t count,
-                 VectorRef f) {
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    double* const target = f.data() + places[lane];
-    for (std::size_t i = 0; i < 3; ++i) target[i] += buffer(k + i, lane);
-  }
+/// Σ over all elements of what kernel(e) gives for `lanes` of them from e on.
+template <class Kernel>
+double sum_over_batches(const Stripes& stripes, const Kernel& kernel) {
+  return stripes.sum([&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    LaneBuffer<1> values;
+    for (auto e = begin; e < end; e += lanes) {
+      values.store(0, kernel(e));
+      for (std::size_t lane = 0; lane < std::min(lanes, end - e); ++lane) sum += values(0, lane);
+    }
+    return sum;
+  });
+}
+
+/// Adds to f, for each point p of `count` elements from e on, the buffer's vector p (numbers 3p … 3p + 2).
+template <std::size_t points, std::size_t numbers>
+void scatter_add(const LaneBuffer<3 * points>& buffer, const ElementTable<points, numbers>& table, std::size_t e,
+                 std::size_t count, VectorRef f) {
+  for (std::size_t p = 0; p < points; ++p)
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      double* const target = f.data() + table.starts(p, e)[lane];
+      for (std::size_t i = 0; i < 3; ++i) target[i] += buffer(3 * p + i, lane);
+    }
 }
 
 }  // namespace sundrape

@@ -112,37 +112,16 @@ class PlainBlocks {
   LaneMatrices<kinds> blocks_;
 };
 
-/// The same for one spring of any kind: weights[p] are those of a, b, c in point p.
-void add_general(const EdgeTangent<Matrix3>& t, const std::array<int, 5>& points, const std::array<Vector3, 5>& weights,
-                 std::size_t e, Assembler& tangent) {
-  const bool exact = tangent.keeps_unsymmetric();
-  const auto block = [&](std::size_t p, std::size_t q) -> Matrix3 {
-    const Vector3 &l = weights[p], &r = weights[q];
-    const Matrix3 symmetric = l[0] * r[0] * t.aa + l[1] * r[1] * t.bb + l[2] * r[2] * t.cc + l[0] * r[1] * t.ab +
-                              l[0] * r[2] * t.ac + l[1] * r[2] * t.bc;
-    return -(symmetric + l[1] * r[0] * t.ba + l[2] * r[0] * t.ca + l[2] * r[1] * t.cb);
-  };
-  for (std::size_t q = 0; q < 5; ++q) {
-    if (points[q] < 0) continue;
-    tangent.add_diagonal(e, static_cast<int>(q), block(q, q));
-    for (std::size_t p = 0; p < q; ++p) {
-      if (points[p] < 0) continue;
-      if (exact)
-        tangent.add_general_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q), block(q, p));
-      else
-        tangent.add_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q));
-    }
-  }
+/// One lane's second derivatives, of any kind of spring.
+EdgeTangent<Matrix3> of_lane(const LaneMatrices<9>& t, std::size_t lane) {
+  return {t(0, lane), t(1, lane), t(2, lane), t(3, lane), t(4, lane), t(5, lane), t(6, lane), t(7, lane), t(8, lane)};
 }
 
-/// One lane of all nine blocks.
-EdgeTangent<Matrix3> of_lane(const EdgeTangent<Batch3x3>& t, std::size_t lane) {
-  const auto pick = [lane](const Batch3x3& m) {
-    Matrix3 one;
-    for (int i = 0; i < 9; ++i) one.data()[i] = m.data()[i].get(lane);
-    return one;
-  };
-  return {pick(t.aa), pick(t.ab), pick(t.ac), pick(t.bb), pick(t.bc), pick(t.cc), pick(t.ba), pick(t.ca), pick(t.cb)};
+LaneMatrices<9> by_lanes(const EdgeTangent<Batch3x3>& t) {
+  LaneMatrices<9> lanes_of;
+  std::size_t k = 0;
+  for (const auto* m : {&t.aa, &t.ab, &t.ac, &t.bb, &t.bc, &t.cc, &t.ba, &t.ca, &t.cb}) lanes_of.store(k++, *m);
+  return lanes_of;
 }
 
 }  // namespace
@@ -157,145 +136,160 @@ struct BendSprings::Edges {
   }
 };
 
+/// The five points of a spring and how its edges and axis depend on them.
+struct BendSprings::Stencil {
+  std::array<int, 5> points;       // −1 where an end of the crossing chord is the centre, which then has its weight
+  std::array<Vector3, 5> weights;  // of a, b, c in each point
+
+  /// −∂²/∂x_p∂x_q of such a spring.
+  void add(const EdgeTangent<Matrix3>& t, std::size_t e, Assembler& tangent) const {
+    const bool exact = tangent.keeps_unsymmetric();
+    const auto block = [&](std::size_t p, std::size_t q) -> Matrix3 {
+      const Vector3 &l = weights[p], &r = weights[q];
+      const Matrix3 symmetric = l[0] * r[0] * t.aa + l[1] * r[1] * t.bb + l[2] * r[2] * t.cc + l[0] * r[1] * t.ab +
+                                l[0] * r[2] * t.ac + l[1] * r[2] * t.bc;
+      return -(symmetric + l[1] * r[0] * t.ba + l[2] * r[0] * t.ca + l[2] * r[1] * t.cb);
+    };
+    for (std::size_t q = 0; q < 5; ++q) {
+      if (points[q] < 0) continue;
+      tangent.add_diagonal(e, static_cast<int>(q), block(q, q));
+      for (std::size_t p = 0; p < q; ++p) {
+        if (points[p] < 0) continue;
+        if (exact)
+          tangent.add_general_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q), block(q, p));
+        else
+          tangent.add_pair(e, static_cast<int>(p), static_cast<int>(q), block(p, q));
+      }
+    }
+  }
+};
+
 BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxation_time)
     : relaxation_time_(relaxation_time) {
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of bending must not be negative [s]");
-  elements_.reserve(springs.size());
+  std::vector<decltype(table_)::Element> elements;
+  elements.reserve(springs.size());
   for (const auto& s : springs) {
     if (!(s.stiffness > 0)) throw std::invalid_argument("a bend spring has no stiffness");
-    const bool from_centre = s.cross_from == s.centre, to_centre = s.cross_to == s.centre;
-    elements_.push_back(
-        {.points = {s.previous, s.centre, s.next, to_centre ? -1 : s.cross_to, from_centre ? -1 : s.cross_from},
-         .skew = s.skew,
-         .centre_in_cross = (to_centre ? 1.0 : 0.0) - (from_centre ? 1.0 : 0.0),
-         .rest_angle = s.rest_angle,
-         .stiffness = s.stiffness});
-    auto points = elements_.back().points;
+    elements.push_back({{s.previous, s.centre, s.next, s.cross_to, s.cross_from}, {s.skew, s.rest_angle, s.stiffness}});
+    auto points = elements.back().points_of;
+    for (const std::size_t end : {3, 4})
+      if (points[end] == s.centre) points[end] = -1;
     std::ranges::sort(points);
     for (std::size_t k = 1; k < points.size(); ++k)
       if (points[k] >= 0 && points[k] == points[k - 1]) throw std::invalid_argument("a bend spring names a node twice");
   }
-  const auto reach = [](const Element& e) {
-    std::pair<int, int> r(e.points[0], e.points[0]);
-    for (const int p : e.points)
-      if (p >= 0) r = {std::min(r.first, p), std::max(r.second, p)};
-    return r;
-  };
-  std::ranges::sort(elements_, {}, reach);
-  std::vector<std::pair<int, int>> reaches;
-  reaches.reserve(elements_.size());
-  for (const auto& e : elements_) reaches.push_back(reach(e));
-  stripes_ = Stripes(reaches);
-  std::vector<decltype(table_)::Element> rows;
-  rows.reserve(elements_.size());
-  for (const auto& e : elements_) {
-    const auto& [previous, centre, next, to, from] = e.points;
-    rows.push_back({{previous, centre, next, to < 0 ? centre : to, from < 0 ? centre : from},
-                    {e.skew, e.rest_angle, e.stiffness}});
+  stripes_ = sort_into_stripes(elements, [](const auto& e) { return e.points_of; });
+  table_ = decltype(table_)(elements);
+}
+
+bool BendSprings::is_plain(std::size_t e) const {
+  const int centre = table_.point_of(1, e);
+  return table_.number_of(skew, e) == 0 && table_.point_of(3, e) != centre && table_.point_of(4, e) != centre;
+}
+
+BendSprings::Stencil BendSprings::stencil(std::size_t e) const {
+  Stencil s{.points = table_.points_of(e), .weights = {}};
+  const int centre = s.points[1];
+  double centre_in_axis = 0;
+  for (const auto& [end, sign] : {std::pair<std::size_t, double>{3, 1}, {4, -1}}) {
+    if (s.points[end] != centre) continue;
+    s.points[end] = -1;
+    centre_in_axis += sign;
   }
-  table_ = decltype(table_)(rows);
+  const double k = table_.number_of(skew, e);
+  s.weights = {Vector3(-1, 0, k), Vector3(1, -1, centre_in_axis), Vector3(0, 1, -k), Vector3(0, 0, 1),
+               Vector3(0, 0, -1)};
+  return s;
 }
 
 BendSprings::Edges BendSprings::edges(std::size_t first, ConstVectorRef x) const {
-  const auto at = [&](std::size_t p) { return gather(x, table_.places(p, first)); };
+  const auto at = [&](std::size_t p) { return gather(x, table_, p, first); };
   const Batch3 centre = at(1);
   Edges e;
   e.a = centre - at(0);
   e.b = at(2) - centre;
-  e.c = at(3) - at(4) - load_batch(table_.numbers_from(skew, first)) * (e.a + e.b);
+  e.c = at(3) - at(4) - load(table_, skew, first) * (e.a + e.b);
   return e;
 }
 
 double BendSprings::energy(const State& state) const {
-  return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
-      const auto x = edges(e, state.q);
-      const Batch turn = BasicHingeAngle<Batch>(x.a, x.b, x.c).angle - load_batch(table_.numbers_from(rest_angle, e));
-      return Batch(0.5) * load_batch(table_.numbers_from(stiffness, e)) * turn * turn;
-    });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
+    const auto x = edges(e, state.q);
+    const Batch turn = BasicHingeAngle<Batch>(x.a, x.b, x.c).angle - load(table_, rest_angle, e);
+    return Batch(0.5) * load(table_, stiffness, e) * turn * turn;
   });
 }
 
 double BendSprings::dissipated_power(const State& state) const {
   if (relaxation_time_ == 0) return 0;
-  return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
-      const auto x = edges(e, state.q);
-      const Batch rate = edges(e, state.v).along(BasicHingeAngle<Batch>(x.a, x.b, x.c));
-      return Batch(relaxation_time_) * load_batch(table_.numbers_from(stiffness, e)) * rate * rate;
-    });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
+    const auto x = edges(e, state.q);
+    const Batch rate = edges(e, state.v).along(BasicHingeAngle<Batch>(x.a, x.b, x.c));
+    return Batch(relaxation_time_) * load(table_, stiffness, e) * rate * rate;
   });
 }
 
 void BendSprings::add_force(const State& state, VectorRef f) const {
-  stripes_.for_each([&](std::size_t begin, std::size_t end) {
+  for_each_batch(stripes_, [&](std::size_t e, std::size_t count) {
     LaneBuffer<15> pull;
-    for (auto e = begin; e < end; e += lanes) {
-      const auto x = edges(e, state.q);
-      const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
-      Batch turn = hinge.angle - load_batch(table_.numbers_from(rest_angle, e));
-      if (relaxation_time_ > 0) turn += Batch(relaxation_time_) * edges(e, state.v).along(hinge);
-      const Batch moment = load_batch(table_.numbers_from(stiffness, e)) * turn;
-      const Batch3 fc = -moment * hinge.gc, held = load_batch(table_.numbers_from(skew, e)) * fc;
-      const Batch3 fa = -moment * hinge.ga - held, fb = -moment * hinge.gb - held;
-      pull.store(0, -fa);
-      pull.store(3, fa - fb);
-      pull.store(6, fb);
-      pull.store(9, fc);
-      pull.store(12, -fc);
-      for (std::size_t p = 0; p < 5; ++p) scatter_add(pull, 3 * p, table_.places(p, e), std::min(lanes, end - e), f);
-    }
+    const auto x = edges(e, state.q);
+    const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
+    Batch turn = hinge.angle - load(table_, rest_angle, e);
+    if (relaxation_time_ > 0) turn += Batch(relaxation_time_) * edges(e, state.v).along(hinge);
+    const Batch moment = load(table_, stiffness, e) * turn;
+    const Batch3 fc = -moment * hinge.gc, held = load(table_, skew, e) * fc;
+    const Batch3 fa = -moment * hinge.ga - held, fb = -moment * hinge.gb - held;
+    pull.store(0, -fa);
+    pull.store(3, fa - fb);
+    pull.store(6, fb);
+    pull.store(9, fc);
+    pull.store(12, -fc);
+    scatter_add(pull, table_, e, count, f);
   });
 }
 
 void BendSprings::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
   const bool exact = tangent.keeps_unsymmetric();
-  stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; e += lanes) {
-      const auto x = edges(e, state.q);
-      const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
-      const BasicHingeCurvature<Batch> curved(x.a, x.b, x.c);
-      const Batch stiff = load_batch(table_.numbers_from(stiffness, e)), viscosity = Batch(relaxation_time_) * stiff;
-      Batch moment = stiff * (hinge.angle - load_batch(table_.numbers_from(rest_angle, e)));
-      Edges v{Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0))};
-      if (relaxation_time_ > 0) {
-        v = edges(e, state.v);
-        moment += viscosity * v.along(hinge);
-      }
-      auto t = edge_tangent(hinge, curved, Batch(dq) * stiff + Batch(dv) * viscosity, Batch(dq) * moment);
-      const std::size_t count = std::min(lanes, end - e);
-      const auto is_plain = [&](const Element& s) { return !exact && s.skew == 0 && s.centre_in_cross == 0; };
-      const auto all = std::span(elements_).subspan(e, count);
-      if (std::ranges::any_of(all, is_plain)) {
-        const PlainBlocks blocks(t);
-        for (std::size_t lane = 0; lane < count; ++lane)
-          if (is_plain(all[lane])) blocks.add(lane, e + lane, tangent);
-      }
-      if (std::ranges::all_of(all, is_plain)) continue;
-      t.ba = t.ab.transpose();
-      t.ca = t.ac.transpose();
-      t.cb = t.bc.transpose();
-      if (exact && relaxation_time_ > 0) add_rate_change(t, hinge, curved, Batch(dq) * viscosity, v.a, v.b, v.c);
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        if (is_plain(all[lane])) continue;
-        const double k = all[lane].skew;
-        add_general(of_lane(t, lane), all[lane].points,
-                    {Vector3(-1, 0, k), Vector3(1, -1, all[lane].centre_in_cross), Vector3(0, 1, -k), Vector3(0, 0, 1),
-                     Vector3(0, 0, -1)},
-                    e + lane, tangent);
-      }
+  for_each_batch(stripes_, [&](std::size_t e, std::size_t count) {
+    const auto x = edges(e, state.q);
+    const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
+    const BasicHingeCurvature<Batch> curved(x.a, x.b, x.c);
+    const Batch stiff = load(table_, stiffness, e), viscosity = Batch(relaxation_time_) * stiff;
+    Batch moment = stiff * (hinge.angle - load(table_, rest_angle, e));
+    Edges v{Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0))};
+    if (relaxation_time_ > 0) {
+      v = edges(e, state.v);
+      moment += viscosity * v.along(hinge);
     }
+    auto t = edge_tangent(hinge, curved, Batch(dq) * stiff + Batch(dv) * viscosity, Batch(dq) * moment);
+    std::array<bool, lanes> plain{};
+    for (std::size_t lane = 0; lane < count; ++lane) plain[lane] = !exact && is_plain(e + lane);
+    const auto plain_ones = static_cast<std::size_t>(std::ranges::count(plain, true));
+    if (plain_ones > 0) {
+      const PlainBlocks blocks(t);
+      for (std::size_t lane = 0; lane < count; ++lane)
+        if (plain[lane]) blocks.add(lane, e + lane, tangent);
+    }
+    if (plain_ones == count) return;
+    t.ba = t.ab.transpose();
+    t.ca = t.ac.transpose();
+    t.cb = t.bc.transpose();
+    if (exact && relaxation_time_ > 0) add_rate_change(t, hinge, curved, Batch(dq) * viscosity, v.a, v.b, v.c);
+    const auto blocks = by_lanes(t);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      if (!plain[lane]) stencil(e + lane).add(of_lane(blocks, lane), e + lane, tangent);
   });
 }
 
 void BendSprings::declare_pattern(Pattern& pattern) const {
   pattern.begin_term(5);
-  for (const auto& e : elements_) pattern.add_element(e.points);
+  for (std::size_t e = 0; e < table_.size(); ++e) pattern.add_element(stencil(e).points);
 }
 
 double BendSprings::largest_angle(ConstVectorRef q) const {
   double largest = 0;
-  for (std::size_t e = 0; e < elements_.size(); e += lanes) {
+  for (std::size_t e = 0; e < table_.size(); e += lanes) {
     const auto x = edges(e, q);
     const Batch angle = xsimd::abs(BasicHingeAngle<Batch>(x.a, x.b, x.c).angle);
     for (std::size_t lane = 0; lane < lanes; ++lane) largest = std::max(largest, angle.get(lane));

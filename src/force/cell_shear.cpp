@@ -74,18 +74,17 @@ struct CellShear::Sheared {
 
 CellShear::Sheared CellShear::sheared(std::size_t first, const State& state) const {
   const auto diagonal = [&](const ConstVectorRef& x, std::size_t from) -> Batch3 {
-    return gather(x, table_.places(from + 2, first)) - gather(x, table_.places(from, first));
+    return gather(x, table_, from + 2, first) - gather(x, table_, from, first);
   };
   const Batch3 d1 = diagonal(state.q, 0), d2 = diagonal(state.q, 1);
   Sheared s;
-  s.stiffness = load_batch(table_.numbers_from(stiffness, first));
-  s.half_per_scale = load_batch(table_.numbers_from(half_per_scale, first));
+  s.stiffness = load(table_, stiffness, first);
+  s.half_per_scale = load(table_, half_per_scale, first);
   s.g1 = s.half_per_scale * d1;
   s.g2 = -s.half_per_scale * d2;
   s.h1 = s.half_per_scale * diagonal(state.v, 0);
   s.h2 = -s.half_per_scale * diagonal(state.v, 1);
-  s.strain = Batch(0.5) * s.half_per_scale *
-             (d1.squaredNorm() - d2.squaredNorm() - load_batch(table_.numbers_from(rest, first)));
+  s.strain = Batch(0.5) * s.half_per_scale * (d1.squaredNorm() - d2.squaredNorm() - load(table_, rest, first));
   s.rate = s.h1.dot(d1) + s.h2.dot(d2);
   return s;
 }
@@ -94,76 +93,61 @@ CellShear::CellShear(const std::vector<ShearCell>& cells, double relaxation_time
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of shear must not be negative [s]");
   for (const auto& c : cells)
     if (!(c.scale > 0 && c.stiffness > 0)) throw std::invalid_argument("a cell has no area or no shear stiffness");
-  const auto reach = [](const ShearCell& c) {
-    return std::pair<int, int>(*std::ranges::min_element(c.nodes), *std::ranges::max_element(c.nodes));
-  };
   auto sorted = cells;
-  std::ranges::sort(sorted, {}, reach);
-  std::vector<std::pair<int, int>> reaches;
-  reaches.reserve(sorted.size());
-  for (const auto& c : sorted) reaches.push_back(reach(c));
-  stripes_ = Stripes(reaches);
+  stripes_ = sort_into_stripes(sorted, [](const ShearCell& c) { return c.nodes; });
   table_ = table(sorted);
 }
 
 double CellShear::energy(const State& state) const {
-  return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
-      const auto s = sheared(e, state);
-      return Batch(0.5) * s.stiffness * s.strain * s.strain;
-    });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
+    const auto s = sheared(e, state);
+    return Batch(0.5) * s.stiffness * s.strain * s.strain;
   });
 }
 
 double CellShear::dissipated_power(const State& state) const {
   if (relaxation_time_ == 0) return 0;
-  return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
-      const auto s = sheared(e, state);
-      return Batch(relaxation_time_) * s.stiffness * s.rate * s.rate;
-    });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
+    const auto s = sheared(e, state);
+    return Batch(relaxation_time_) * s.stiffness * s.rate * s.rate;
   });
 }
 
 void CellShear::add_force(const State& state, VectorRef f) const {
-  stripes_.for_each([&](std::size_t begin, std::size_t end) {
+  for_each_batch(stripes_, [&](std::size_t e, std::size_t count) {
     LaneBuffer<12> pull;
-    for (auto e = begin; e < end; e += lanes) {
-      const auto s = sheared(e, state);
-      const Batch stress = s.stiffness * (s.strain + Batch(relaxation_time_) * s.rate);
-      pull.store(0, stress * s.g1);
-      pull.store(3, stress * s.g2);
-      pull.store(6, -stress * s.g1);
-      pull.store(9, -stress * s.g2);
-      for (std::size_t p = 0; p < 4; ++p) scatter_add(pull, 3 * p, table_.places(p, e), std::min(lanes, end - e), f);
-    }
+    const auto s = sheared(e, state);
+    const Batch stress = s.stiffness * (s.strain + Batch(relaxation_time_) * s.rate);
+    pull.store(0, stress * s.g1);
+    pull.store(3, stress * s.g2);
+    pull.store(6, -stress * s.g1);
+    pull.store(9, -stress * s.g2);
+    scatter_add(pull, table_, e, count, f);
   });
 }
 
 void CellShear::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
   const bool exact = tangent.keeps_unsymmetric() && relaxation_time_ > 0;
-  stripes_.for_each([&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; e += lanes) {
-      const auto s = sheared(e, state);
-      const Batch viscosity = Batch(relaxation_time_) * s.stiffness;
-      const Batch modulus = Batch(dq) * s.stiffness + Batch(dv) * viscosity;
-      const Batch geometric = Batch(dq) * (s.stiffness * s.strain + viscosity * s.rate) * s.half_per_scale;
-      // material part g gᵀ, geometric part ±σ I; the rate's own change g hᵀ
-      const Batch3 m1 = modulus * s.g1, m2 = modulus * s.g2;
-      Batch3x3 d11 = m1 * s.g1.transpose(), d12 = m1 * s.g2.transpose(), d22 = m2 * s.g2.transpose();
-      Batch3x3 d21 = d12.transpose();
-      d11.diagonal().array() += geometric;
-      d22.diagonal().array() -= geometric;
-      if (exact) {
-        const Batch3 h1 = Batch(dq) * viscosity * s.h1, h2 = Batch(dq) * viscosity * s.h2;
-        d11 += s.g1 * h1.transpose();
-        d12 += s.g1 * h2.transpose();
-        d21 += s.g2 * h1.transpose();
-        d22 += s.g2 * h2.transpose();
-      }
-      const CellBlocks blocks(d11, d12, d21, d22);
-      for (std::size_t lane = 0; lane < std::min(lanes, end - e); ++lane) blocks.add(lane, e + lane, tangent);
+  for_each_batch(stripes_, [&](std::size_t e, std::size_t count) {
+    const auto s = sheared(e, state);
+    const Batch viscosity = Batch(relaxation_time_) * s.stiffness;
+    const Batch modulus = Batch(dq) * s.stiffness + Batch(dv) * viscosity;
+    const Batch geometric = Batch(dq) * (s.stiffness * s.strain + viscosity * s.rate) * s.half_per_scale;
+    // material part g gᵀ, geometric part ±σ I; the rate's own change g hᵀ
+    const Batch3 m1 = modulus * s.g1, m2 = modulus * s.g2;
+    Batch3x3 d11 = m1 * s.g1.transpose(), d12 = m1 * s.g2.transpose(), d22 = m2 * s.g2.transpose();
+    Batch3x3 d21 = d12.transpose();
+    d11.diagonal().array() += geometric;
+    d22.diagonal().array() -= geometric;
+    if (exact) {
+      const Batch3 h1 = Batch(dq) * viscosity * s.h1, h2 = Batch(dq) * viscosity * s.h2;
+      d11 += s.g1 * h1.transpose();
+      d12 += s.g1 * h2.transpose();
+      d21 += s.g2 * h1.transpose();
+      d22 += s.g2 * h2.transpose();
     }
+    const CellBlocks blocks(d11, d12, d21, d22);
+    for (std::size_t lane = 0; lane < count; ++lane) blocks.add(lane, e + lane, tangent);
   });
 }
 

@@ -33,10 +33,10 @@ struct StretchSprings::Stretched {
 StretchSprings::Stretched StretchSprings::stretched(std::size_t first, const State& state,
                                                     double relaxation_time) const {
   const auto difference = [&](const ConstVectorRef& x) -> Batch3 {
-    return gather(x, table_.places(1, first)) - gather(x, table_.places(0, first));
+    return gather(x, table_, 1, first) - gather(x, table_, 0, first);
   };
-  const Batch rest = load_batch(table_.numbers_from(Number::length, first));
-  const Batch modulus = load_batch(table_.numbers_from(Number::stiffness, first));
+  const Batch rest = load(table_, Number::length, first);
+  const Batch modulus = load(table_, Number::stiffness, first);
   const Batch3 chord = difference(state.q);
   Stretched s;
   s.velocity = difference(state.v);
@@ -61,73 +61,60 @@ StretchSprings::StretchSprings(const std::vector<StretchSpring>& springs, Energy
     if (!(s.length > 0)) throw std::invalid_argument("a stretch spring has no length: two nodes coincide at rest");
     if (!(s.stiffness > 0)) throw std::invalid_argument("a stretch spring has no stiffness");
   }
-  const auto reach = [](const StretchSpring& s) { return std::pair<int, int>(std::minmax({s.i, s.j})); };
   auto sorted = springs;
-  std::ranges::sort(sorted, {}, reach);
-  std::vector<std::pair<int, int>> reaches;
-  reaches.reserve(sorted.size());
-  for (const auto& s : sorted) reaches.push_back(reach(s));
-  stripes_ = Stripes(reaches);
+  stripes_ = sort_into_stripes(sorted, [](const StretchSpring& s) { return std::array{s.i, s.j}; });
   table_ = table(sorted);
 }
 
 double StretchSprings::energy(const State& state) const {
-  return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
-      const auto s = stretched(e, state, 0);
-      return Batch(0.5) * s.tension * s.elongation;
-    });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
+    const auto s = stretched(e, state, 0);
+    return Batch(0.5) * s.tension * s.elongation;
   });
 }
 
 double StretchSprings::dissipated_power(const State& state) const {
   if (relaxation_time_ == 0) return 0;
-  return stripes_.sum([&](std::size_t begin, std::size_t end) {
-    return sum_in_batches(begin, end, [&](std::size_t e) -> Batch {
-      const auto s = stretched(e, state, relaxation_time_);
-      return s.viscosity * s.rate * s.rate;
-    });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
+    const auto s = stretched(e, state, relaxation_time_);
+    return s.viscosity * s.rate * s.rate;
   });
 }
 
 void StretchSprings::add_force(const State& state, VectorRef f) const {
-  stripes_.for_each([&](std::size_t begin, std::size_t end) {
+  for_each_batch(stripes_, [&](std::size_t e, std::size_t count) {
     LaneBuffer<6> pull;
-    for (auto e = begin; e < end; e += lanes) {
-      const auto s = stretched(e, state, relaxation_time_);
-      pull.store(0, s.tension * s.direction);
-      pull.store(3, -s.tension * s.direction);
-      for (std::size_t p = 0; p < 2; ++p) scatter_add(pull, 3 * p, table_.places(p, e), std::min(lanes, end - e), f);
-    }
+    const auto s = stretched(e, state, relaxation_time_);
+    pull.store(0, s.tension * s.direction);
+    pull.store(3, -s.tension * s.direction);
+    scatter_add(pull, table_, e, count, f);
   });
 }
 
 void StretchSprings::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
   const bool exact = tangent.keeps_unsymmetric() && relaxation_time_ > 0;
-  stripes_.for_each([&](std::size_t begin, std::size_t end) {
+  for_each_batch(stripes_, [&](std::size_t e, std::size_t count) {
     LaneMatrices<2> blocks;
-    for (auto e = begin; e < end; e += lanes) {
-      const auto s = stretched(e, state, relaxation_time_);
-      // −∂f_j/∂x_j: along the thread the spring's stiffness, across it the tension over the length
-      const Batch across = Batch(dq) * s.tension / s.length;
-      const Batch3 along = (Batch(dq) * s.stiffness + Batch(dv) * s.viscosity - across) * s.direction;
-      Batch3x3 block = along * s.direction.transpose();
-      block.diagonal().array() += across;
-      if (exact) {  // the spring's rate changes as it turns: β k u ⊗ (I − u⊗u)(v_j − v_i)/length
-        const Batch3 turning = (Batch(dq) * s.viscosity / s.length) * (s.velocity - s.rate * s.direction);
-        block += s.direction * turning.transpose();
-      }
-      blocks.store(0, block);
-      blocks.store(1, -block);
-      for (std::size_t lane = 0; lane < std::min(lanes, end - e); ++lane) {
-        const Matrix3 &pair = blocks(0, lane), &own = blocks(1, lane);
-        tangent.add_diagonal(e + lane, 0, own);
-        tangent.add_diagonal(e + lane, 1, own);
-        if (exact)
-          tangent.add_general_pair(e + lane, 0, 1, pair, pair);
-        else
-          tangent.add_pair_below(e + lane, 0, 1, pair);
-      }
+    const auto s = stretched(e, state, relaxation_time_);
+    // −∂f_j/∂x_j: along the thread the spring's stiffness, across it the tension over the length
+    const Batch across = Batch(dq) * s.tension / s.length;
+    const Batch3 along = (Batch(dq) * s.stiffness + Batch(dv) * s.viscosity - across) * s.direction;
+    Batch3x3 block = along * s.direction.transpose();
+    block.diagonal().array() += across;
+    if (exact) {  // the spring's rate changes as it turns: β k u ⊗ (I − u⊗u)(v_j − v_i)/length
+      const Batch3 turning = (Batch(dq) * s.viscosity / s.length) * (s.velocity - s.rate * s.direction);
+      block += s.direction * turning.transpose();
+    }
+    blocks.store(0, block);
+    blocks.store(1, -block);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const Matrix3 &pair = blocks(0, lane), &own = blocks(1, lane);
+      tangent.add_diagonal(e + lane, 0, own);
+      tangent.add_diagonal(e + lane, 1, own);
+      if (exact)
+        tangent.add_general_pair(e + lane, 0, 1, pair, pair);
+      else
+        tangent.add_pair_below(e + lane, 0, 1, pair);
     }
   });
 }
@@ -141,8 +128,9 @@ std::pair<double, double> StretchSprings::strain_range(ConstVectorRef q) const {
   if (table_.size() == 0) return {0, 0};
   auto smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
   for (std::size_t e = 0; e < table_.size(); ++e) {
-    const auto [i, j] = table_.points_of(e);
-    const double strain = (point(q, j) - point(q, i)).norm() / *table_.numbers_from(Number::length, e) - 1;
+    const double strain = (point(q, table_.point_of(1, e)) - point(q, table_.point_of(0, e))).norm() /
+                              table_.number_of(Number::length, e) -
+                          1;
     smallest = std::min(smallest, strain);
     largest = std::max(largest, strain);
   }

@@ -23,7 +23,7 @@ class Cvode final : public ImplicitIntegrator {
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);
-    forget_matrix();
+    newton_.forget();
     if (memory_) {
       bank();
       require_success(CVodeReInit(memory_.get(), time, y_.get()), "CVodeReInit");

@@ -22,7 +22,7 @@ class Ida final : public ImplicitIntegrator {
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);
-    forget_matrix();
+    newton_.forget();
     if (!form_.rates(time, y_.values(), y_dot_.values()))
       throw IntegrationFailure(fmt::format("the forces are not finite at t = {:.6g} s", time));
     if (memory_) {

@@ -5,7 +5,7 @@
 #include <complex>
 #include <limits>
 
-#include "sundrape/linalg/power_iteration.hpp"
+#include "sundrape/system/largest_eigenvalue.hpp"
 
 namespace sundrape {
 namespace {
@@ -33,11 +33,7 @@ double rk4_stable_step(double angular_frequency, double damping_rate) {
 
 StabilityLimit rk4_stability_limit(const System& system, const State& all, double contact_rate) {
   const auto largest = [&](double dq, double dv) {
-    BlockMatrix matrix(system.structure(), Symmetry::symmetric);
-    matrix.set_zero();
-    system.add_tangent(all, dq, dv, matrix);
-    for (const auto& [row, component] : system.unknowns().held_components()) matrix.hold(row, component, 0);
-    return std::max(0.0, largest_eigenvalue(matrix, system.row_mass()));
+    return std::max(0.0, largest_eigenvalue(system, all, dq, dv, system.row_mass()));
   };
   StabilityLimit limit;
   limit.angular_frequency = std::sqrt(largest(-1, 0) + contact_rate * contact_rate);

@@ -80,19 +80,19 @@ int ImplicitIntegrator::correct(double time, double c, N_Vector y, ConstVectorRe
                                 ConstVectorRef r_v, N_Vector x) {
   const auto n = form_.size() / 2;
   auto dq = sundials::values(x).head(n), dv = sundials::values(x).tail(n);
-  if (time == matrix_time_ && c == matrix_c_) {
+  if (newton_.is_prepared_for(time, c)) {
     const double largest = slow * last_correction_;
     const bool solved = newton_.solve(r_q, r_v, dq, dv, largest).ok;
     last_correction_ = dq.norm();
     if (solved && last_correction_ <= largest) return 0;
   }
-  forget_matrix();
   const auto at = sundials::values(y);
   if (newton_.prepare(time, c, at.head(n), at.tail(n)) != FactorStatus::ok) return SUNLS_PACKAGE_FAIL_REC;
   newton_.know_forces(force);
-  if (!newton_.solve(r_q, r_v, dq, dv).ok) return SUNLS_PACKAGE_FAIL_REC;
-  matrix_time_ = time;
-  matrix_c_ = c;
+  if (!newton_.solve(r_q, r_v, dq, dv).ok) {
+    newton_.forget();
+    return SUNLS_PACKAGE_FAIL_REC;
+  }
   last_correction_ = dq.norm();
   return 0;
 }

@@ -68,7 +68,6 @@ class ImplicitIntegrator : public SundialsIntegrator {
   /// SUNDIALS' flag.
   int correct(double time, double c, N_Vector y, ConstVectorRef force, ConstVectorRef r_q, ConstVectorRef r_v,
               N_Vector x);
-  void forget_matrix() { matrix_time_ = matrix_c_ = -1; }
   /// counters of the linear algebra
   [[nodiscard]] IntegratorStatistics with_linear(IntegratorStatistics s) const;
 
@@ -76,7 +75,7 @@ class ImplicitIntegrator : public SundialsIntegrator {
   ErrorWeights weights_;
 
  private:
-  double matrix_time_ = -1, matrix_c_ = -1, last_correction_ = 0;
+  double last_correction_ = 0;  // |dq| of the iteration before
 };
 
 }  // namespace sundrape

@@ -2,21 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "sundrape/linalg/power_iteration.hpp"
+#include "sundrape/system/largest_eigenvalue.hpp"
 
 namespace sundrape {
-namespace {
-
-double stiffest(const System& system, const Vector& q, const Vector& still) {
-  BlockMatrix matrix(system.structure(), Symmetry::symmetric);
-  matrix.set_zero();
-  system.add_tangent({0, q, still}, -1, 0, matrix);
-  for (const auto& [row, component] : system.unknowns().held_components()) matrix.hold(row, component, 0);
-  return largest_eigenvalue(matrix, Vector::Ones(system.unknowns().rows()));
-}
-
-}  // namespace
-
 ChapterRelaxationResult relax_as_in_chapter(const System& system, const ChapterRelaxationOptions& options, Vector& q,
                                             RelaxationObserver& observer) {
   constexpr int residual_every = 20;  // steps; it costs two evaluations of the forces
@@ -24,8 +12,9 @@ ChapterRelaxationResult relax_as_in_chapter(const System& system, const ChapterR
   const Vector still = Vector::Zero(q.size());
   Vector f(q.size()), rows(unknowns.size()), rows_q(unknowns.size()), displacement = Vector::Zero(unknowns.size());
   unknowns.gather(q, rows_q);
-  // the power iteration comes from below, hence the margin
-  const double c_disp = options.c_disp > 0 ? options.c_disp : 0.9 / stiffest(system, q, still);
+  double c_disp = options.c_disp;
+  if (!(c_disp > 0))  // the power iteration comes from below, hence the margin
+    c_disp = 0.9 / largest_eigenvalue(system, {0, q, still}, -1, 0, Vector::Ones(unknowns.rows()));
   const double c_acc = options.c_acc >= 0 ? options.c_acc : 0.9 / c_disp;
 
   ChapterRelaxationResult result;

@@ -6,7 +6,6 @@ namespace sundrape {
 
 std::optional<int> negative_pivots(const System& system, const State& all, double neutral_frequency) {
   BlockMatrix matrix(system.structure(), Symmetry::symmetric);
-  matrix.set_zero();
   matrix.add_diagonal(system.row_mass(), neutral_frequency * neutral_frequency);
   const Vector still = Vector::Zero(all.v.size());
   system.add_tangent({all.time, all.q, still}, -1, 0, matrix);

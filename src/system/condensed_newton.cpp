@@ -8,7 +8,7 @@ namespace sundrape {
 namespace {
 
 constexpr double loosest = 0.1;     // tolerance of a linear solve
-constexpr double rounding = 1e-12;  // c q − v is known to this part of c q
+constexpr double rounding = 1e-12;  // c q − v is known to this part of c q: some thousand roundings of it
 
 }  // namespace
 
@@ -43,6 +43,7 @@ FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, C
   const Stopwatch watch(counters_.factor_seconds);
   ++counters_.factorizations;
   const auto status = solver_->factor(matrix_);
+  ready_ = status == FactorStatus::ok;
   if (status != FactorStatus::ok) ++counters_.failures;
   return status;
 }

@@ -45,6 +45,10 @@ void System::hold(BlockMatrix& matrix) const {
   }
 }
 
+void System::hold(BlockMatrix& matrix, double value) const {
+  for (const auto& [row, component] : unknowns_.held_components()) matrix.hold(row, component, value);
+}
+
 Energies System::energies(const State& all) const {
   Energies e;
   for (int i = 0; i < mass_.size(); ++i) e.kinetic += 0.5 * mass_[i] * point(all.v, i).squaredNorm();

@@ -40,19 +40,16 @@ class BendSprings final : public ForceTerm {
   [[nodiscard]] double largest_angle(ConstVectorRef q) const;
 
  private:
-  /// The five points of a spring: previous, centre, next, then the ends of the crossing chord that are not the centre.
-  struct Element {
-    std::array<int, 5> points;  // −1 where a boundary spring has only one crossing neighbour
-    double skew;
-    double centre_in_cross;  // weight of the centre in the crossing chord: 0 inside, ±1 on a boundary
-    double rest_angle, stiffness;
-  };
   enum Number { skew, rest_angle, stiffness };
   struct Edges;
   [[nodiscard]] Edges edges(std::size_t first, ConstVectorRef x) const;
+  /// Whether a spring lies inside a sheet of straight crossing threads, as most do.
+  [[nodiscard]] bool is_plain(std::size_t e) const;
+  struct Stencil;
+  [[nodiscard]] Stencil stencil(std::size_t e) const;
 
-  std::vector<Element> elements_;
-  ElementTable<5, 3> table_;  // the same; where the crossing chord has one neighbour, its other end is the centre
+  // previous, centre, next, then the ends of the crossing chord: on a boundary one of them is the centre
+  ElementTable<5, 3> table_;
   double relaxation_time_;
   Stripes stripes_;
 };

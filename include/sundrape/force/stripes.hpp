@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -17,7 +18,7 @@ namespace sundrape {
 class Stripes {
  public:
   Stripes() = default;
-  /// @param reach  lowest and highest point of each element, ascending in the lowest
+  /// @param reach  lowest and highest point of each element, ascending in the lowest: see sort_into_stripes
   explicit Stripes(std::span<const std::pair<int, int>> reach);
 
   /// Calls body(begin, end) for every stripe; stripes of one colour may run at the same time.
@@ -50,5 +51,20 @@ class Stripes {
  private:
   std::vector<std::size_t> bounds_;  // stripe s is [bounds_[s], bounds_[s + 1])
 };
+
+/// Sorts elements by the lowest and then the highest point that they reach, and cuts them into stripes.
+/// @param points_of  the points of an element, as a range
+template <class Element, class PointsOf>
+Stripes sort_into_stripes(std::vector<Element>& elements, const PointsOf& points_of) {
+  const auto reach = [&](const Element& e) {
+    const auto [lowest, highest] = std::ranges::minmax(points_of(e));
+    return std::pair<int, int>(lowest, highest);
+  };
+  std::ranges::sort(elements, {}, reach);
+  std::vector<std::pair<int, int>> reaches;
+  reaches.reserve(elements.size());
+  for (const auto& e : elements) reaches.push_back(reach(e));
+  return Stripes(reaches);
+}
 
 }  // namespace sundrape

@@ -26,6 +26,10 @@ class CondensedNewton {
 
   /// Assembles and factors c² M + c C + K at a state of the unknowns (rows, 3n).
   FactorStatus prepare(double time, double c, ConstVectorRef q, ConstVectorRef v);
+  /// Whether the matrix at hand was prepared for this time and c.
+  [[nodiscard]] bool is_prepared_for(double time, double c) const { return ready_ && time == time_ && c == c_; }
+  /// Makes the next step prepare one of its own.
+  void forget() { ready_ = false; }
   /// Tells the forces [N] over the unknowns where the matrix was assembled, if they are at hand: it saves evaluating
   /// them.
   void know_forces(ConstVectorRef rows);
@@ -50,6 +54,7 @@ class CondensedNewton {
   Vector shifted_v_, work_;    // all points, work
   Vector right_side_, force_;  // rows
   bool force_known_ = false;   // force_ is that where the matrix was assembled
+  bool ready_ = false;         // the matrix is factored and wanted
   Counters counters_;
 };
 

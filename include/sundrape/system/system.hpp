@@ -41,6 +41,8 @@ class System {
   void add_tangent(const State& all, double dq, double dv, BlockMatrix& matrix) const;
   /// Gives the held components of a matrix over the unknowns the equation "no change".
   void hold(BlockMatrix& matrix) const;
+  /// The same with a given diagonal entry: 0 takes them out of a spectrum.
+  void hold(BlockMatrix& matrix, double value) const;
 
   [[nodiscard]] Energies energies(const State& all) const;
   [[nodiscard]] double dissipated_power(const State& all) const;  // [W]

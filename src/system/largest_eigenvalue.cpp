@@ -1,0 +1,14 @@
+#include "sundrape/system/largest_eigenvalue.hpp"
+
+#include "sundrape/linalg/power_iteration.hpp"
+
+namespace sundrape {
+
+double largest_eigenvalue(const System& system, const State& all, double dq, double dv, ConstVectorRef weight) {
+  BlockMatrix matrix(system.structure(), Symmetry::symmetric);
+  system.add_tangent(all, dq, dv, matrix);
+  system.hold(matrix, 0);
+  return largest_eigenvalue(matrix, weight);
+}
+
+}  // namespace sundrape
