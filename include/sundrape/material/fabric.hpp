@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+
+#include "sundrape/material/plate_bending.hpp"
 
 namespace sundrape {
 
@@ -10,8 +13,18 @@ struct Fabric {
   double warp_membrane = 0;   // E₁ h [N/m]
   double weft_membrane = 0;   // E₂ h [N/m]
   double shear_membrane = 0;  // G h [N/m]
-  double warp_bending = 0;    // bending rigidity per width, E h³/(12 (1 − ν²)) unless measured [N m]
-  double weft_bending = 0;    // [N m]
+  double warp_bending = 0;  // D₁₁ of the sheet, E h³/(12 (1 − ν²)), or B/(1 − ν²) of a measured strip [N m]
+  double weft_bending = 0;      // D₂₂ [N m]
+  double bending_coupling = 0;  // D₁₂ [N m]
+  double twist_bending = 0;     // m₁₂ per engineering twist 2κ₁₂ [N m]
+  double transverse_shear = 0;  // G_s h without a correction factor [N/m]
+
+  /// Strips with M = f(K) instead, measured along warp and weft; the four rigidities above are then those at K = 0.
+  struct MeasuredBending {
+    MomentCurvature warp, weft;
+    PlateBending::Form form = PlateBending::Form::energy;
+  };
+  std::optional<MeasuredBending> measured_bending;
 
   struct Damping {
     double mass = 0;         // drag against still air, per mass [1/s]
@@ -27,6 +40,12 @@ struct Fabric {
     double diagonal_compression_factor = 1;  // B' of the shorter diagonal, with diagonal_springs
   } net;
 };
+
+/// The bending of a fabric's sheet.
+[[nodiscard]] PlateBending plate_bending(const Fabric& fabric);
+
+/// Membrane stiffness C [N/m], n = C (ε₁₁, ε₂₂, 2ε₁₂) in warp–weft axes: E₁ h/(1 − ν₁₂ ν₂₁) and so on.
+[[nodiscard]] Eigen::Matrix3d membrane_stiffness(const Fabric& fabric);
 
 /// Isotropic resultants from E [Pa], ν and h [m]: E h (chapter (38)), G h = E h / (2 (1 + ν)) (40), and
 /// E h³ / (12 (1 − ν²)) ((45) with I from (46)).

@@ -1,0 +1,24 @@
+#include "sundrape/material/plate_bending.hpp"
+
+#include <stdexcept>
+
+#include <Eigen/Cholesky>
+
+namespace sundrape {
+
+PlateBending::PlateBending(const Eigen::Matrix3d& rigidity) : rigidity_(rigidity) {
+  const bool symmetric =
+      (rigidity - rigidity.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * rigidity.cwiseAbs().maxCoeff();
+  if (!rigidity.allFinite() || !symmetric || Eigen::LLT<Eigen::Matrix3d>(rigidity).info() != Eigen::Success)
+    throw std::invalid_argument("the bending rigidities of a sheet must be symmetric and positive definite [N m]");
+}
+
+PlateBending::PlateBending(Form form, const MomentCurvature& warp, const MomentCurvature& weft, double poisson)
+    : form_(form), warp_(warp), weft_(weft), poisson_(poisson) {
+  if (form == Form::linear) throw std::invalid_argument("a linear sheet is given by its rigidities");
+  if (!(poisson >= 0 && poisson < 0.5)) throw std::invalid_argument("Poisson's ratio must lie in [0, 0.5)");
+  rigidity_ = at<double>(Eigen::Vector3d::Zero()).tangent;
+  rigidity_ = 0.5 * (rigidity_ + rigidity_.transpose()).eval();
+}
+
+}  // namespace sundrape
