@@ -52,31 +52,7 @@ void System::hold(BlockMatrix& matrix, double value) const {
 Energies System::energies(const State& all) const {
   Energies e;
   for (int i = 0; i < mass_.size(); ++i) e.kinetic += 0.5 * mass_[i] * point(all.v, i).squaredNorm();
-  for (const auto& term : terms_) {
-    const double stored = term->energy(all);
-    switch (term->kind()) {
-      case EnergyKind::membrane:
-        e.membrane += stored;
-        break;
-      case EnergyKind::shear:
-        e.shear += stored;
-        break;
-      case EnergyKind::bending:
-        e.bending += stored;
-        break;
-      case EnergyKind::gravity:
-        e.gravity += stored;
-        break;
-      case EnergyKind::contact:
-        e.contact += stored;
-        break;
-      case EnergyKind::load:
-        e.load += stored;
-        break;
-      case EnergyKind::none:
-        break;
-    }
-  }
+  for (const auto& term : terms_) term->add_energies(all, e);
   return e;
 }
 

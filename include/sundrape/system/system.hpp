@@ -7,14 +7,6 @@
 
 namespace sundrape {
 
-/// Energies by kind [J].
-struct Energies {
-  double kinetic = 0, membrane = 0, shear = 0, bending = 0, gravity = 0, contact = 0, load = 0;
-
-  [[nodiscard]] double stored() const { return membrane + shear + bending + gravity + contact + load; }
-  [[nodiscard]] double total() const { return kinetic + stored(); }
-};
-
 /// The semidiscrete system  M a = Σ f_k(q, v, t)  of one cloth: masses, force terms, supports, sparsity.
 ///
 /// Integrators and statics see only this class. Vectors named "all" hold every point (3P); vectors of "rows" hold the
