@@ -19,6 +19,9 @@ PlateBending::PlateBending(Form form, const MomentCurvature& warp, const MomentC
   if (!(poisson >= 0 && poisson < 0.5)) throw std::invalid_argument("Poisson's ratio must lie in [0, 0.5)");
   rigidity_ = at<double>(Eigen::Vector3d::Zero()).tangent;
   rigidity_ = 0.5 * (rigidity_ + rigidity_.transpose()).eval();
+  if (Eigen::LLT<Eigen::Matrix3d>(rigidity_).info() != Eigen::Success)
+    throw std::invalid_argument(
+        "the bending of warp and weft differs too much for Poisson's ratio: the sheet would give energy back");
 }
 
 }  // namespace sundrape

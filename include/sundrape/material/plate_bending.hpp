@@ -37,7 +37,7 @@ class PlateBending {
   explicit PlateBending(const Eigen::Matrix3d& rigidity);
   /// @param warp, weft  of strips cut along either thread, per width
   /// @param poisson     ν, in [0, 0.5)
-  /// @throws std::invalid_argument  out of range, or Form::linear
+  /// @throws std::invalid_argument  out of range, Form::linear, or laws too different for ν: ν (B₁ + B₂)/2 ≥ √(B₁ B₂)
   PlateBending(Form form, const MomentCurvature& warp, const MomentCurvature& weft, double poisson);
 
   [[nodiscard]] Form form() const { return form_; }
