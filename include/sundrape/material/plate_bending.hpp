@@ -42,7 +42,7 @@ class PlateBending {
 
   [[nodiscard]] Form form() const { return form_; }
   [[nodiscard]] bool is_symmetric() const { return form_ != Form::paper || poisson_ == 0; }
-  /// D, of a nonlinear law at κ = 0 [N m].
+  /// D, of a nonlinear law the symmetric part of its tangent at κ = 0 [N m].
   [[nodiscard]] const Eigen::Matrix3d& rigidity() const { return rigidity_; }
 
   /// @tparam Real  double, or a SIMD batch of them
