@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "case_choices.hpp"
 #include "case_parts.hpp"
 
 namespace sundrape {
@@ -27,9 +28,7 @@ std::vector<double> resolve_frame_times(const CaseSection& output, double durati
 DynamicsCase resolve_dynamics(const CaseSection& section) {
   DynamicsCase dynamics;
   const std::string integrator = section.text("integrator");
-  dynamics.integrator = integrator == "cvode" ? IntegratorKind::cvode
-                        : integrator == "ida" ? IntegratorKind::ida
-                                              : IntegratorKind::rk4;
+  dynamics.integrator = choices::integrator.value(integrator);
   dynamics.duration = section.maybe_number("duration").value_or(0);
   dynamics.rtol = section.number("rtol");
   dynamics.atol_position = section.maybe_number("atol_position");
@@ -64,6 +63,7 @@ OutputCase resolve_output(const CaseSection& section, double duration) {
     section.fail("every", "frames says it already: give either, not both");
   OutputCase output;
   output.checkpoint_every = section.number("checkpoint_every");
+  output.resultants = section.boolean("resultants");
   if (duration > 0) output.frame_times = resolve_frame_times(section, duration);
   for (const auto& entry : section.tables("probes")) {
     ProbeCase probe{entry.text("name"), entry.vector3("near"), entry.source("near")};

@@ -7,6 +7,7 @@ namespace sundrape {
 [[nodiscard]] std::vector<Section> top_keys();
 [[nodiscard]] std::vector<Section> cloth_keys();
 [[nodiscard]] std::vector<Section> material_keys();
+[[nodiscard]] std::vector<Section> shell_keys();
 [[nodiscard]] std::vector<Section> scene_keys();
 [[nodiscard]] std::vector<Section> analysis_keys();
 

@@ -1,3 +1,5 @@
+#include "sundrape/material/moment_curvature.hpp"
+
 #include "case_keys.hpp"
 
 namespace sundrape {
@@ -39,11 +41,12 @@ Section material() {
                .entries = 1,
                .range = {.low = 0, .high = 0.5, .low_included = true},
                .default_value = "0",
-               .doc = "ν, or `[ν₁₂]` of an orthotropic fabric."},
+               .doc = "ν, or `[ν₁₂]` of an orthotropic fabric: the membrane's C₁₂ is ν₁₂ E₂ h/(1 − ν₁₂ ν₂₁) with ν₂₁ = "
+                      "ν₁₂ E₂/E₁. In bending as well, with B in the place of E."},
               {.name = "bending",
                .type = KeyType::table,
                .holds = "material.bending",
-               .default_note = "from the moduli: E h³ / (12 (1 − ν²))",
+               .default_note = "from the moduli: B = E h³/12",
                .doc = "Bending measured apart from the membrane."},
               {.name = "damping",
                .type = KeyType::table,
@@ -62,20 +65,67 @@ Section bending() {
       .name = "material.bending",
       .heading = "`bending = { ... }` of `[material]`",
       .kind_key = "law",
+      .doc =
+          "What a bending test measures on strips, which are free to curl across: B, or M = f(K), per width. The "
+          "sheet bends into a cylinder, which takes D₁₁ = B₁/(1 − ν₁₂ ν₂₁), D₂₂ = B₂/(1 − ν₁₂ ν₂₁), D₁₂ = ν₁₂ D₂₂, "
+          "with ν₂₁ = ν₁₂ B₂/B₁.",
       .keys =
           {
               {.name = "law",
                .type = KeyType::choice,
-               .choices = {"linear"},
-               .later = {"polynomial"},
+               .choices = {"linear", "polynomial"},
                .default_value = "\"linear\"",
-               .doc = "Moment over curvature."},
+               .doc = "Moment over curvature of a strip; a polynomial with `model = \"shell\"` only."},
               {.name = "rigidity",
                .unit = "N m",
                .entries = 2,
                .range = positive(),
                .required = true,
-               .doc = "Moment per width and curvature, or `[warp, weft]` of it, e.g. `\"0.589 gf*cm^2/cm\"`."},
+               .kinds = {"linear"},
+               .doc =
+                   "Moment per width and curvature of a strip, or `[warp, weft]` of it, e.g. `\"0.589 gf*cm^2/cm\"`."},
+              {.name = "twist_rigidity",
+               .unit = "N m",
+               .range = positive(),
+               .default_note = "√(B₁ B₂) / (2 (1 + √(ν₁₂ ν₂₁)))",
+               .kinds = {"linear"},
+               .doc = "Twisting moment m₁₂ per width and engineering twist 2κ₁₂; its default is D (1 − ν)/2 where warp "
+                      "and weft are alike."},
+              {.name = "coefficients",
+               .type = KeyType::lists,
+               .entries = MomentCurvature::most_terms,
+               .required = true,
+               .kinds = {"polynomial"},
+               .doc = "α₁, α₂, … of M = α₁ K + α₂ K² + … for K > 0, extended as an odd function; or `[warp list, weft "
+                      "list]`. M must grow all the way to `max_curvature`."},
+              {.name = "curvature_unit",
+               .type = KeyType::unit,
+               .unit = "1/m",
+               .required = true,
+               .kinds = {"polynomial"},
+               .doc = "Of K in the polynomial, e.g. `\"1/cm\"`."},
+              {.name = "moment_unit",
+               .type = KeyType::unit,
+               .unit = "N",
+               .required = true,
+               .kinds = {"polynomial"},
+               .doc = "Of M per width, e.g. `\"gf*cm/cm\"`."},
+              {.name = "max_curvature",
+               .unit = "1/m",
+               .entries = 2,
+               .range = positive(),
+               .required = true,
+               .kinds = {"polynomial"},
+               .doc = "Where the test ended, or `[warp, weft]` of it; from there on M grows by the slope that it has."},
+              {.name = "form",
+               .type = KeyType::choice,
+               .choices = {"energy", "paper"},
+               .default_value = "\"energy\"",
+               .kinds = {"polynomial"},
+               .doc =
+                   "From strips to the sheet. `energy`: symmetric, and where warp and weft are alike bending follows "
+                   "the same law in every direction. `paper`: equations (32)–(34) in orthonormal warp–weft axes; "
+                   "unsymmetric for ν ≠ 0, to be solved by LU."},
           },
   };
 }

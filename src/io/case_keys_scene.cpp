@@ -39,9 +39,12 @@ Section fix() {
               nodes(),
               {.name = "components",
                .type = KeyType::choices,
-               .choices = {"x", "y", "z", "rotation"},
+               .choices = {"x", "y", "z", "rotation", "director-x", "director-y", "director-z"},
                .default_value = R"(["x", "y", "z", "rotation"])",
-               .doc = "What is held; `rotation` clamps the slope of a held edge."},
+               .doc =
+                   "What is held; `rotation` clamps the slope of a held edge, which is the whole director of a shell "
+                   "node. `director-x` and so on hold one component of it, as on planes of symmetry and at hinges; "
+                   "only with `model = \"shell\"`."},
               {.name = "name",
                .type = KeyType::name,
                .default_note = "from the selector",

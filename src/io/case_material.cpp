@@ -22,7 +22,6 @@ double resolve_area_density(const CaseSection& material) {
   return given.front() == "density" ? value * material.number("thickness") : value;
 }
 
-/// A sheet with different threads in warp and weft: E₁ h, E₂ h, G h and E h³ / (12 (1 − ν₁₂ ν₂₁)).
 Fabric resolve_orthotropic(const CaseSection& material, double area_density) {
   for (const auto* name : {"warp_modulus", "weft_modulus", "shear_modulus"})
     if (!material.has(name))
@@ -34,17 +33,8 @@ Fabric resolve_orthotropic(const CaseSection& material, double area_density) {
   if (!(coupling < 1))
     material.fail("poisson", fmt::format("{} is outside [0, {:.4g}): no elastic sheet has it with these moduli",
                                          poisson, std::sqrt(warp / weft)));
-  const double h = material.number("thickness");
-  Fabric fabric;
-  fabric.thickness = h;
-  fabric.area_density = area_density;
-  fabric.poisson = poisson;
-  fabric.warp_membrane = warp * h;
-  fabric.weft_membrane = weft * h;
-  fabric.shear_membrane = material.number("shear_modulus") * h;
-  fabric.warp_bending = warp * h * h * h / (12 * (1 - coupling));
-  fabric.weft_bending = weft * h * h * h / (12 * (1 - coupling));
-  return fabric;
+  return orthotropic_fabric(warp, weft, material.number("shear_modulus"), poisson, material.number("thickness"),
+                            area_density);
 }
 
 Fabric resolve_elasticity(const CaseSection& material) {
@@ -67,11 +57,7 @@ Fabric resolve_elasticity(const CaseSection& material) {
 
 Fabric resolve_fabric(const CaseSection& material) {
   Fabric fabric = resolve_elasticity(material);
-  if (material.has("bending")) {
-    const auto rigidity = material.table("bending").numbers("rigidity");
-    fabric.warp_bending = rigidity.front();
-    fabric.weft_bending = rigidity.back();
-  }
+  if (material.has("bending")) resolve_bending(material.table("bending"), fabric);
   const CaseSection damping = material.table("damping");
   fabric.damping = {damping.number("mass"), damping.number("membrane"), damping.number("bending")};
   const CaseSection net = material.table("net");

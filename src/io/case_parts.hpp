@@ -8,12 +8,19 @@ namespace sundrape {
 [[nodiscard]] ClothCase resolve_cloth(const CaseSection& cloth, const std::filesystem::path& folder);
 [[nodiscard]] Place resolve_place(const CaseSection& place);
 [[nodiscard]] Fabric resolve_fabric(const CaseSection& material);
-[[nodiscard]] std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections);
+void resolve_bending(const CaseSection& bending, Fabric& fabric);
+[[nodiscard]] ShellCase resolve_shell(const CaseSection& section);
+[[nodiscard]] std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Model model);
 [[nodiscard]] std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections);
 [[nodiscard]] std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections);
 [[nodiscard]] ContactCase resolve_contact(const CaseSection& section, double thickness);
 [[nodiscard]] DynamicsCase resolve_dynamics(const CaseSection& section);
 [[nodiscard]] RelaxationCase resolve_relaxation(const CaseSection& section);
 [[nodiscard]] OutputCase resolve_output(const CaseSection& section, double duration);
+
+/// Refuses what only a shell has where the model is another.
+void require_shell_model(const CaseSection& top, const Case& resolved);
+/// Refuses massless directors where the integrator needs an ODE.
+void require_integrator_of_director(const CaseSection& top, const Case& resolved);
 
 }  // namespace sundrape

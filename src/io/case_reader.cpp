@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "case_choices.hpp"
 #include "case_document.hpp"
 #include "case_parts.hpp"
 
@@ -49,15 +50,19 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.file = file;
   resolved.text = print(root);
   resolved.title = top.has("title") ? top.text("title") : file.stem().string();
+  resolved.model = choices::model.value(top.text("model"));
   resolved.analysis = top.text("analysis") == "dynamics" ? Analysis::dynamics : Analysis::relaxation;
   resolved.cloth = resolve_cloth(cloth_section(top, root), file.parent_path());
   resolved.fabric = resolve_fabric(top.table("material"));
-  resolved.fixes = resolve_fixes(top.tables("fix"));
+  resolved.shell = resolve_shell(top.table("shell"));
+  require_shell_model(top, resolved);
+  resolved.fixes = resolve_fixes(top.tables("fix"), resolved.model);
   resolved.loads = resolve_loads(top.tables("load"));
   resolved.obstacles = resolve_obstacles(top.tables("obstacle"));
   resolved.contact = resolve_contact(top.table("contact"), resolved.fabric.thickness);
   const CaseSection dynamics = top.table("dynamics");
   resolved.dynamics = resolve_dynamics(dynamics);
+  require_integrator_of_director(top, resolved);
   resolved.relaxation = resolve_relaxation(top.table("relaxation"));
   if (resolved.analysis == Analysis::dynamics && !dynamics.has("duration")) {
     const SourceLine where = top.has("dynamics") ? dynamics.source() : top.source("analysis");

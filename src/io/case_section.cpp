@@ -126,6 +126,30 @@ std::optional<double> CaseSection::maybe_number(std::string_view name) const {
   return number(name);
 }
 
+std::vector<std::vector<double>> CaseSection::lists(std::string_view name) const {
+  const Key& k = key(name);
+  const toml::node& node = value(name);
+  if (!node.is_array()) fail(name, fmt::format("a list of numbers is expected, not {}", echo(node)));
+  const auto one = [&](const toml::array& array) {
+    if (array.empty() || array.size() > k.entries)
+      fail_at(array, source_, path(name),
+              fmt::format("a list of 1 to {} numbers is expected, not of {}", k.entries, array.size()));
+    std::vector<double> numbers;
+    for (const auto& entry : array) numbers.push_back(scalar(k, entry));
+    return numbers;
+  };
+  const auto& outer = *node.as_array();
+  if (outer.empty() || !outer.front().is_array()) return {one(outer)};
+  if (outer.size() != 2) fail(name, fmt::format("[warp list, weft list] is expected, not {} lists", outer.size()));
+  std::vector<std::vector<double>> both;
+  for (const auto& entry : outer) {
+    if (!entry.is_array())
+      fail_at(entry, source_, path(name), fmt::format("a list of numbers is expected, not {}", echo(entry)));
+    both.push_back(one(*entry.as_array()));
+  }
+  return both;
+}
+
 std::vector<std::int64_t> CaseSection::integers(std::string_view name) const {
   const toml::node& node = value(name);
   const auto require_whole = [&](const toml::node& entry) {
@@ -201,6 +225,7 @@ std::vector<std::string> CaseSection::choices(std::string_view name) const {
 
 double CaseSection::unit(std::string_view name) const {
   const std::string unit = text(name);
+  if (unit.find_first_not_of(" \t") == std::string::npos) fail(name, "the unit is empty");
   try {
     return context_->units().parse_quantity("1 " + unit, key(name).unit);
   } catch (const std::invalid_argument&) {

@@ -41,6 +41,7 @@ class CaseSection {
   [[nodiscard]] double number(std::string_view name) const { return numbers(name).front(); }
   [[nodiscard]] std::optional<double> maybe_number(std::string_view name) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view name) const;
+  [[nodiscard]] std::vector<std::vector<double>> lists(std::string_view name) const;  // one or two
   [[nodiscard]] int integer(std::string_view name) const { return static_cast<int>(integers(name).front()); }
   [[nodiscard]] std::vector<std::int64_t> integers(std::string_view name) const;
   [[nodiscard]] Vector3 vector3(std::string_view name) const;

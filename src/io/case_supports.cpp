@@ -34,7 +34,11 @@ bool same(const Selector& a, const Selector& b) {
          std::visit(Numbers{}, a) == std::visit(Numbers{}, b);
 }
 
-FixCase resolve_fix(const CaseSection& section) {
+bool same_components(const FixCase& a, const FixCase& b) {
+  return a.components == b.components && a.director == b.director && a.rotation == b.rotation;
+}
+
+FixCase resolve_fix(const CaseSection& section, Model model) {
   FixCase fix;
   fix.nodes = section.selector("nodes");
   fix.source = section.source("nodes");
@@ -42,6 +46,14 @@ FixCase resolve_fix(const CaseSection& section) {
   const auto holds = [&](const char* name) { return std::find(chosen.begin(), chosen.end(), name) != chosen.end(); };
   fix.components = {holds("x"), holds("y"), holds("z")};
   fix.rotation = holds("rotation");
+  constexpr std::array director{"director-x", "director-y", "director-z"};
+  for (std::size_t i = 0; i < director.size(); ++i) {
+    if (holds(director[i]) && model != Model::shell)
+      section.fail("components", fmt::format("'{}' needs the director of a shell node, hence model = \"shell\"; "
+                                             "'rotation' clamps the slope of a particle net's edge",
+                                             director[i]));
+    fix.director[i] = fix.rotation || holds(director[i]);
+  }
   if (section.has("name")) fix.name = section.text("name");
   return fix;
 }
@@ -52,15 +64,15 @@ std::string place_of(const SourceLine& source) {
 
 }  // namespace
 
-std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections) {
+std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Model model) {
   std::vector<FixCase> fixes;
   for (const auto& section : sections) {
-    FixCase fix = resolve_fix(section);
+    FixCase fix = resolve_fix(section, model);
     for (const auto& earlier : fixes) {
       if (!fix.name.empty() && fix.name == earlier.name)
         section.fail("name",
                      fmt::format("'{}' is already the name of the support at {}", fix.name, place_of(earlier.source)));
-      if (same(fix.nodes, earlier.nodes) && (fix.components != earlier.components || fix.rotation != earlier.rotation))
+      if (same(fix.nodes, earlier.nodes) && !same_components(fix, earlier))
         section.fail("nodes", fmt::format("in conflict with the support at {}: the same nodes, but other components",
                                           place_of(earlier.source)));
     }

@@ -1,8 +1,11 @@
+#include <span>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "sundrape/io/case_reader.hpp"
 
+#include "case_choices.hpp"
 #include "case_description.hpp"
 
 namespace sundrape {
@@ -49,28 +52,68 @@ void describe_cloth(CaseDescription& out, const ClothCase& cloth) {
   }
 }
 
-void describe_fabric(CaseDescription& out, const Fabric& fabric) {
+std::string list_text(std::span<const double> numbers) {
+  std::vector<std::string> printed;
+  for (const double number : numbers) printed.push_back(fmt::format("{:.10g}", number));
+  return fmt::format("[{}]", fmt::join(printed, ", "));
+}
+
+void describe_bending(CaseDescription& out, const Fabric::MeasuredBending& bending) {
+  out.enter("material.bending", "material.bending", "polynomial");
+  out.text("law", "polynomial");
+  out.verbatim("coefficients", fmt::format("[{}, {}] of N over powers of 1/m", list_text(bending.warp.coefficients()),
+                                           list_text(bending.weft.coefficients())));
+  out.numbers("max_curvature", {bending.warp.max_curvature(), bending.weft.max_curvature()});
+  out.text("form", bending.form == PlateBending::Form::paper ? "paper" : "energy");
+}
+
+void describe_net(CaseDescription& out, const Fabric::Net& net) {
+  out.enter("material.net", "material.net");
+  out.number("compression_factor", net.compression_factor);
+  out.number("shear_factor", net.shear_factor);
+  out.text("shear", net.diagonal_springs ? "diagonals" : "cell");
+  out.number("diagonal_compression_factor", net.diagonal_compression_factor);
+}
+
+void describe_fabric(CaseDescription& out, const Fabric& fabric, Model model) {
   out.heading("the fabric");
   out.enter("material", "material");
   out.number("thickness", fabric.thickness);
   out.number("density_area", fabric.area_density);
   out.number("poisson", fabric.poisson);
+  if (fabric.measured_bending) describe_bending(out, *fabric.measured_bending);
   out.enter("material.damping", "material.damping");
   out.number("mass", fabric.damping.mass);
   out.number("membrane", fabric.damping.membrane);
   out.number("bending", fabric.damping.bending);
-  out.enter("material.net", "material.net");
-  out.number("compression_factor", fabric.net.compression_factor);
-  out.number("shear_factor", fabric.net.shear_factor);
-  out.text("shear", fabric.net.diagonal_springs ? "diagonals" : "cell");
-  out.number("diagonal_compression_factor", fabric.net.diagonal_compression_factor);
+  if (model == Model::particle) describe_net(out, fabric.net);
   out.heading("what follows for the sheet, per unit width");
   out.derived("membrane stiffness, warp", fabric.warp_membrane, "N/m");
   out.derived("membrane stiffness, weft", fabric.weft_membrane, "N/m");
   out.derived("shear stiffness", fabric.shear_membrane, "N/m");
-  out.derived("bending rigidity, warp", fabric.warp_bending, "N m");
-  out.derived("bending rigidity, weft", fabric.weft_bending, "N m");
+  out.derived("transverse shear stiffness", fabric.transverse_shear, "N/m");
+  const std::string when = fabric.measured_bending ? " at K = 0" : "";
+  out.derived("bending rigidity, warp" + when, fabric.warp_bending, "N m");
+  out.derived("bending rigidity, weft" + when, fabric.weft_bending, "N m");
+  if (!fabric.measured_bending) {
+    const double product = fabric.bending_coupling * fabric.bending_coupling;
+    out.derived("bending rigidity of a strip, warp", fabric.warp_bending - product / fabric.weft_bending, "N m");
+    out.derived("bending rigidity of a strip, weft", fabric.weft_bending - product / fabric.warp_bending, "N m");
+  }
+  out.derived("bending coupling" + when, fabric.bending_coupling, "N m");
+  out.derived("twist rigidity" + when, fabric.twist_bending, "N m");
   out.derived("mass per area", fabric.area_density, "kg/m^2");
+}
+
+void describe_shell(CaseDescription& out, const ShellCase& shell) {
+  out.heading("the elements");
+  out.enter("shell", "shell");
+  out.text("membrane", choices::membrane.name(shell.membrane));
+  if (shell.membrane == ShellMembrane::centre) out.maybe_number("hourglass_factor", shell.hourglass_factor);
+  out.text("bending", choices::bending.name(shell.bending));
+  out.number("shear_correction", shell.shear_correction);
+  out.text("director", choices::director.name(shell.director));
+  out.number("rotary_inertia", shell.rotary_inertia);
 }
 
 std::string point_text(const Vector3& p) { return fmt::format("[{:.10g}, {:.10g}, {:.10g}]", p.x(), p.y(), p.z()); }
@@ -97,6 +140,8 @@ void describe_fix(CaseDescription& out, const FixCase& fix, std::size_t index) {
   for (std::size_t i = 0; i < 3; ++i)
     if (fix.components[i]) held.push_back(fmt::format("\"{}\"", "xyz"[i]));
   if (fix.rotation) held.emplace_back("\"rotation\"");
+  for (std::size_t i = 0; i < 3; ++i)
+    if (fix.director[i] && !fix.rotation) held.push_back(fmt::format("\"director-{}\"", "xyz"[i]));
   out.verbatim("components", fmt::format("[{}]", fmt::join(held, ", ")));
 }
 
@@ -178,9 +223,7 @@ void describe_contact(CaseDescription& out, const ContactCase& contact) {
 
 void describe_dynamics(CaseDescription& out, const DynamicsCase& dynamics) {
   out.enter("dynamics", "dynamics");
-  out.text("integrator", dynamics.integrator == IntegratorKind::cvode ? "cvode"
-                         : dynamics.integrator == IntegratorKind::ida ? "ida"
-                                                                      : "rk4");
+  out.text("integrator", choices::integrator.name(dynamics.integrator));
   out.number("duration", dynamics.duration);
   out.number("rtol", dynamics.rtol);
   out.maybe_number("atol_position", dynamics.atol_position);
@@ -208,13 +251,14 @@ void describe_relaxation(CaseDescription& out, const RelaxationCase& relaxation)
   out.maybe_number("time_limit", relaxation.time_limit);
 }
 
-void describe_output(CaseDescription& out, const OutputCase& output) {
+void describe_output(CaseDescription& out, const OutputCase& output, Model model) {
   out.heading("output");
   out.enter("output", "output");
   if (!output.frame_times.empty())
     out.verbatim("frames",
                  fmt::format("{} ({} with the one at 0 s)", output.frame_times.size() - 1, output.frame_times.size()));
   out.number("checkpoint_every", output.checkpoint_every);
+  if (model == Model::shell) out.verbatim("resultants", output.resultants ? "true" : "false");
   for (std::size_t i = 0; i < output.probes.size(); ++i) {
     out.enter("output.probes", fmt::format("output.probes.{}", i));
     out.text("name", output.probes[i].name);
@@ -228,10 +272,11 @@ std::string describe(const Case& resolved) {
   CaseDescription out;
   out.enter("", "");
   out.text("title", resolved.title);
-  out.text("model", "particle");
+  out.text("model", choices::model.name(resolved.model));
   out.text("analysis", resolved.analysis == Analysis::dynamics ? "dynamics" : "relaxation");
   describe_cloth(out, resolved.cloth);
-  describe_fabric(out, resolved.fabric);
+  describe_fabric(out, resolved.fabric, resolved.model);
+  if (resolved.model == Model::shell) describe_shell(out, resolved.shell);
   if (!resolved.fixes.empty()) out.heading("supports");
   for (std::size_t i = 0; i < resolved.fixes.size(); ++i) describe_fix(out, resolved.fixes[i], i);
   if (!resolved.loads.empty()) out.heading("loads");
@@ -244,7 +289,7 @@ std::string describe(const Case& resolved) {
     describe_dynamics(out, resolved.dynamics);
   else
     describe_relaxation(out, resolved.relaxation);
-  describe_output(out, resolved.output);
+  describe_output(out, resolved.output, resolved.model);
   return out.print();
 }
 

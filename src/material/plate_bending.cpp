@@ -17,8 +17,13 @@ PlateBending::PlateBending(Form form, const MomentCurvature& warp, const MomentC
     : form_(form), warp_(warp), weft_(weft), poisson_(poisson) {
   if (form == Form::linear) throw std::invalid_argument("a linear sheet is given by its rigidities");
   if (!(poisson >= 0 && poisson < 0.5)) throw std::invalid_argument("Poisson's ratio must lie in [0, 0.5)");
-  rigidity_ = at<double>(Eigen::Vector3d::Zero()).tangent;
-  rigidity_ = 0.5 * (rigidity_ + rigidity_.transpose()).eval();
+  const double b1 = warp.initial_rigidity(), b2 = weft.initial_rigidity(), mean = 0.5 * (b1 + b2);
+  rigidity_ = Eigen::Vector3d(b1, b2, 0.5 * (1 - poisson) * mean).asDiagonal();
+  rigidity_(0, 1) = rigidity_(1, 0) = poisson * mean;
+  rigidity_ /= 1 - poisson * poisson;
+  if (Eigen::LLT<Eigen::Matrix3d>(rigidity_).info() != Eigen::Success)
+    throw std::invalid_argument(
+        "the bending of warp and weft differs too much for Poisson's ratio: the sheet would give energy back");
 }
 
 }  // namespace sundrape

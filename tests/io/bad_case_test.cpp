@@ -37,7 +37,16 @@ TEST_P(BadCase, IsRefusedWithLineKeyAndReason) {
 }
 
 const std::string fix_again = "[[fix]]\nnodes = { near = [0, 0, 0] }\n";
-const std::string poly = "bending = { law = \"polynomial\", coefficients = [1, 2] }\npoisson";
+
+/// A polynomial bending test in the sample's material, with one of its keys as given.
+std::string polynomial(const std::string& coefficients, const std::string& rest = "") {
+  const std::string units = R"(curvature_unit = "1/cm", moment_unit = "gf*cm/cm", max_curvature = "2 1/cm")";
+  return "bending = { law = \"polynomial\", coefficients = " + coefficients + ", " + (rest.empty() ? units : rest) +
+         " }\npoisson";
+}
+
+/// The sample's first lines as a shell, with a table [shell].
+std::string shell(const std::string& keys) { return "[shell]\n" + keys + "\n[cloth]"; }
 
 const std::vector<Slip> slips{
     {"UnknownKey", "poisson", "poison", 15, "material.poison", "unknown key, did you mean 'poisson'?"},
@@ -69,8 +78,20 @@ const std::vector<Slip> slips{
      "a table is expected, not 'here'"},
     {"MisspeltChoice", "\"cvode\"", "\"cvod\"", 31, "dynamics.integrator",
      "'cvod' is not one of cvode, ida, rk4, did you mean 'cvode'?"},
-    {"ShellModel", "\"particle\"", "\"shell\"", 2, "model",
-     "'shell' is not available in this version; accepted: particle"},
+    {"UnknownModel", "\"particle\"", "\"shells\"", 2, "model",
+     "'shells' is not one of particle, shell, did you mean 'shell'?"},
+    {"ShellTableOfAParticleNet", "[cloth]", shell("membrane = \"mixed\""), 5, "shell",
+     "belongs to model = \"shell\", not to \"particle\""},
+    {"UnknownMembrane", "[cloth]", shell("membrane = \"center\""), 6, "shell.membrane",
+     "'center' is not one of centre, bilinear, edge-tied, mixed, did you mean 'centre'?"},
+    {"NoShearCorrection", "[cloth]", shell("shear_correction = 0"), 6, "shell.shear_correction",
+     "0 is outside (0, 10]"},
+    {"TooMuchRotaryInertia", "[cloth]", shell("rotary_inertia = 1001"), 6, "shell.rotary_inertia",
+     "1001 is outside (0, 1000]"},
+    {"DirectorOfAParticle", R"(["x", "y"])", R"(["x", "director-y"])", 19, "fix.0.components",
+     "'director-y' needs the director of a shell node, hence model = \"shell\""},
+    {"ResultantsOfAWord", "frames = 10", "resultants = \"all\"", 36, "output.resultants",
+     "true or false is expected, not 'all'"},
     {"ArcLength", "\"dynamics\"", "\"arc-length\"", 3, "analysis", "accepted: dynamics, relaxation"},
     {"NoAnalysis", "analysis = \"dynamics\"\n", "\n", 1, "analysis", "missing; accepted: dynamics, relaxation"},
     {"NoShape", "shape = \"rectangle\"\n", "\n", 5, "cloth.shape", "missing; accepted: rectangle, disc"},
@@ -85,7 +106,35 @@ const std::vector<Slip> slips{
     {"ModulusTwice", "poisson", "warp_modulus = 1e6\npoisson", 15, "material.warp_modulus", "give either, not both"},
     {"HalfOrthotropic", "youngs_modulus", "warp_modulus", 11, "material.weft_modulus",
      "missing: an orthotropic fabric needs"},
-    {"PolynomialBending", "poisson", poly, 15, "material.bending.law", "'polynomial' is not available in this version"},
+    {"PolynomialOfAParticleNet", "poisson", polynomial("[1, 2]"), 15, "material.bending.law",
+     "the particle net bends linearly: \"polynomial\" needs model = \"shell\""},
+    {"FallingPolynomial", "poisson", polynomial("[1, -0.26]"), 15, "material.bending.coefficients",
+     "does not grow all the way to its largest curvature"},
+    {"FallingPolynomialOfTheWeft", "poisson", polynomial("[[1, 1], [1, -0.26]]"), 15, "material.bending.coefficients",
+     "does not grow all the way to its largest curvature"},
+    {"TooManyCoefficients", "poisson", polynomial("[1, 1, 1, 1, 1, 1, 1, 1, 1, 1]"), 15,
+     "material.bending.coefficients", "a list of 1 to 9 numbers is expected, not of 10"},
+    {"NoCoefficients", "poisson", polynomial("[]"), 15, "material.bending.coefficients",
+     "a list of 1 to 9 numbers is expected, not of 0"},
+    {"CoefficientsOfThreeThreads", "poisson", polynomial("[[1], [1], [1]]"), 15, "material.bending.coefficients",
+     "[warp list, weft list] is expected, not 3 lists"},
+    {"CoefficientsOfOneThreadAndANumber", "poisson", polynomial("[[1], 1]"), 15, "material.bending.coefficients",
+     "a list of numbers is expected, not 1"},
+    {"CoefficientsWithUnits", "poisson", polynomial("[\"1 gf\"]"), 15, "material.bending.coefficients",
+     "a plain number is expected, not '1 gf'"},
+    {"OneCoefficient", "poisson", polynomial("1"), 15, "material.bending.coefficients",
+     "a list of numbers is expected, not 1"},
+    {"CurvatureOverLength", "poisson",
+     polynomial("[1]", R"(curvature_unit = "cm", moment_unit = "gf", max_curvature = 1)"), 15,
+     "material.bending.curvature_unit", "'cm' is not the unit of a curvature"},
+    {"NoMomentUnit", "poisson", polynomial("[1]", R"(curvature_unit = "1/cm", max_curvature = 1)"), 15,
+     "material.bending.moment_unit", "missing"},
+    {"RigidityOfAPolynomial", "poisson", polynomial("[1]", "rigidity = 1"), 15, "material.bending.rigidity",
+     "belongs to law = linear, not to 'polynomial', which takes: law, coefficients,"},
+    {"ThreadsTooDifferent", "poisson", polynomial("[[100], [1]]"), 15, "material.bending.coefficients",
+     "differs too much for Poisson's ratio"},
+    {"StripsTooDifferent", "poisson", "bending = { rigidity = [1, 12] }\npoisson", 15, "material.bending.rigidity",
+     "the rigidity of the weft must stay below 11.11 times that of the warp"},
     {"KeyOfAnotherShape", "cells", "radius = 1\ncells", 8, "cloth.radius",
      "belongs to shape = disc, not to 'rectangle', which takes: shape,"},
     {"Wind", "\"gravity\"", "\"wind\"", 22, "load.0.kind", "'wind' is not available in this version"},
@@ -104,7 +153,7 @@ const std::vector<Slip> slips{
     {"UnknownSelector", "near", "nearest", 18, "fix.0.nodes.nearest", "did you mean 'near'?"},
     {"HalfABox", "near = [0, 0, 0]", "box = [[0, 0, 0]]", 18, "fix.0.nodes.box", "two opposite corners"},
     {"UnknownComponent", R"(["x", "y"])", R"(["x", "w"])", 19, "fix.0.components",
-     "'w' is not one of x, y, z, rotation"},
+     "'w' is not one of x, y, z, rotation, director-x"},
     {"NoComponent", R"(["x", "y"])", "[]", 19, "fix.0.components", "an empty one"},
     {"SupportsInConflict", "[[load]]", fix_again + "[[load]]", 22, "fix.1.nodes",
      "in conflict with the support at line 18"},
@@ -127,6 +176,28 @@ const std::vector<Slip> slips{
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, BadCase, testing::ValuesIn(slips), [](const auto& info) { return info.param.name; });
+
+TEST(MasslessDirectors, NeedIda) {
+  const auto text = sample_with("[cloth]", shell("director = \"massless\""));
+  const auto read = [&](const std::string& integrator) {
+    (void)parse_case(text, "CASE.toml", {"model=shell", "dynamics.integrator=" + integrator});
+  };
+  EXPECT_NO_THROW(read("ida"));
+  for (const auto* integrator : {"cvode", "rk4"}) {
+    try {
+      read(integrator);
+      FAIL() << integrator;
+    } catch (const CaseError& error) {
+      EXPECT_EQ(error.line(), 6);
+      EXPECT_EQ(error.key(), "shell.director");
+      EXPECT_NE(error.message().find(std::string("dynamics.integrator = \"") + integrator + "\" cannot solve"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+  // statics has no integrator
+  EXPECT_NO_THROW((void)parse_case(text, "CASE.toml", {"model=shell", "analysis=relaxation"}));
+}
 
 TEST(BadCaseOfTwoSlips, ReportsTheFirstInTheFile) {
   try {

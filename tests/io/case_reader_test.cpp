@@ -42,8 +42,10 @@ TEST(CaseReader, ResolvesTheFabricToResultants) {
   expect_close(fabric.area_density, 0.2384);  // 0.2384e-3 gf/mm² weighs what 0.2384 kg/m² do
   expect_close(fabric.warp_membrane, youngs_modulus * h);
   expect_close(fabric.shear_membrane, youngs_modulus * h / 2.6);
-  expect_close(fabric.warp_bending, 0.589 * gf * 1e-2);
-  expect_close(fabric.weft_bending, 0.4 * gf * 1e-2);
+  // B of strips over 1 − ν₁₂ ν₂₁, ν₂₁ = ν₁₂ B₂/B₁
+  const double product = 0.3 * 0.3 * 0.4 / 0.589;
+  expect_close(fabric.warp_bending, 0.589 * gf * 1e-2 / (1 - product));
+  expect_close(fabric.weft_bending, 0.4 * gf * 1e-2 / (1 - product));
   EXPECT_DOUBLE_EQ(fabric.damping.mass, 0.1);
   EXPECT_DOUBLE_EQ(fabric.damping.membrane, 2e-3);
   EXPECT_DOUBLE_EQ(fabric.damping.bending, 5e-4);
@@ -213,6 +215,110 @@ TEST(CaseReader, TakesWarpAndWeftApart) {
   // ν₁₂ ν₂₁ = 0.4 · 0.4 · 1/2 = 0.08
   expect_close(fabric.warp_bending, 2e6 * 1e-9 / 12 / 0.92);
   expect_close(fabric.weft_bending, 1e6 * 1e-9 / 12 / 0.92);
+  expect_close(fabric.bending_coupling, 0.4 * fabric.weft_bending);
+  expect_close(fabric.twist_bending, 3e4 * 1e-9 / 12);
+  expect_close(fabric.transverse_shear, std::sqrt(2e6 * 1e6) * 1e-3 / (2 * (1 + std::sqrt(0.08))));
+}
+
+TEST(CaseReader, TakesAMeasuredTwist) {
+  const Fabric fabric = parse_case(sample_with("poisson",
+                                               "bending = { rigidity = \"0.5 gf*cm\", twist_rigidity = "
+                                               "\"0.1 gf*cm\" }\npoisson"),
+                                   "c.toml")
+                            .fabric;
+  expect_close(fabric.warp_bending, 0.5e-2 * gf / 0.91);
+  expect_close(fabric.bending_coupling, 0.3 * 0.5e-2 * gf / 0.91);
+  expect_close(fabric.twist_bending, 0.1e-2 * gf);
+  EXPECT_FALSE(fabric.measured_bending.has_value());
+}
+
+/// The twill's bending test as the article prints it, with one more key.
+std::string twill_bending(const std::string& more = "") {
+  return "bending = { law = \"polynomial\", coefficients = [1.33387, -2.2307, 2.3651, -1.08471, 0.17876], "
+         "curvature_unit = \"1/cm\", moment_unit = \"gf*cm/cm\", max_curvature = \"2.5 1/cm\"" +
+         more + " }\npoisson";
+}
+
+TEST(CaseReader, TurnsAPolynomialOfTheTextileTradeToSi) {
+  const Fabric fabric = parse_case(sample_with("poisson", twill_bending()), "c.toml", {"model=shell"}).fabric;
+  ASSERT_TRUE(fabric.measured_bending.has_value());
+  const auto& bending = *fabric.measured_bending;
+  EXPECT_EQ(bending.form, PlateBending::Form::energy);
+  // at K = 1 /cm: the sum of the coefficients, 0.56232 gf cm/cm; past 2.5 /cm the slope stays
+  EXPECT_NEAR(bending.warp.at(100.0).moment, 0.56232 * gf, 1e-12);
+  EXPECT_DOUBLE_EQ(bending.weft.at(100.0).moment, bending.warp.at(100.0).moment);
+  EXPECT_DOUBLE_EQ(bending.warp.max_curvature(), 250);
+  EXPECT_NEAR(bending.warp.at(55.0).slope, 0.39 * gf * 1e-2, 5e-3 * gf * 1e-2);
+  // the rigidities are those at K = 0
+  expect_close(fabric.warp_bending, 1.33387 * gf * 1e-2 / 0.91);
+  expect_close(fabric.weft_bending, 1.33387 * gf * 1e-2 / 0.91);
+  expect_close(fabric.bending_coupling, 0.3 * fabric.warp_bending);
+  expect_close(fabric.twist_bending, 0.35 * fabric.warp_bending);
+  EXPECT_LT((plate_bending(fabric).rigidity().diagonal() -
+             Vector3(fabric.warp_bending, fabric.weft_bending, fabric.twist_bending))
+                .norm(),
+            1e-15);
+}
+
+TEST(CaseReader, TakesPolynomialsOfWarpAndWeftApart) {
+  const std::string text =
+      "bending = { law = \"polynomial\", coefficients = [[2e-5, 1e-8], [1e-5]], curvature_unit = \"1/m\", moment_unit "
+      "= "
+      "\"N\", max_curvature = [200, \"3 1/cm\"], form = \"paper\" }\npoisson";
+  const Fabric fabric = parse_case(sample_with("poisson", text), "c.toml", {"model=shell"}).fabric;
+  const auto& bending = fabric.measured_bending.value();
+  EXPECT_EQ(bending.form, PlateBending::Form::paper);
+  EXPECT_DOUBLE_EQ(bending.warp.at(100.0).moment, 2e-3 + 1e-4);
+  EXPECT_DOUBLE_EQ(bending.weft.at(100.0).moment, 1e-3);
+  EXPECT_DOUBLE_EQ(bending.warp.max_curvature(), 200);
+  EXPECT_DOUBLE_EQ(bending.weft.max_curvature(), 300);
+  expect_close(fabric.warp_bending, 2e-5 / 0.91);
+  expect_close(fabric.weft_bending, 1e-5 / 0.91);
+}
+
+TEST(CaseReader, ReadsTheElementsOfAShell) {
+  const Case plain = parse_case(sample_case(), "c.toml", {"model=shell"});
+  EXPECT_EQ(plain.model, Model::shell);
+  EXPECT_EQ(plain.shell.membrane, ShellCase{}.membrane);
+  EXPECT_EQ(plain.shell.bending, ShellCase{}.bending);
+  EXPECT_EQ(plain.shell.director, ShellCase{}.director);
+  EXPECT_EQ(plain.shell.shear_correction, ShellCase{}.shear_correction);
+  EXPECT_EQ(plain.shell.rotary_inertia, ShellCase{}.rotary_inertia);
+  EXPECT_FALSE(plain.shell.hourglass_factor.has_value());
+  EXPECT_TRUE(plain.output.resultants);
+  const auto membrane = [](const std::string& name) {
+    return parse_case(sample_case(), "c.toml", {"model=shell", "shell.membrane=" + name}).shell.membrane;
+  };
+  EXPECT_EQ(membrane("centre"), ShellMembrane::centre);
+  EXPECT_EQ(membrane("bilinear"), ShellMembrane::bilinear);
+  EXPECT_EQ(membrane("edge-tied"), ShellMembrane::edge_tied);
+  EXPECT_EQ(membrane("mixed"), ShellMembrane::mixed);
+  const Case other = parse_case(
+      sample_case(), "c.toml",
+      {"model=shell", "shell.hourglass_factor=0.5", "shell.bending=bilinear", "shell.shear_correction=1",
+       "shell.director=massless", "shell.rotary_inertia=100", "dynamics.integrator=ida", "output.resultants=false"});
+  EXPECT_EQ(other.shell.hourglass_factor, 0.5);
+  EXPECT_EQ(other.shell.bending, ShellBending::bilinear);
+  EXPECT_EQ(other.shell.shear_correction, 1);
+  EXPECT_EQ(other.shell.director, ShellDirector::massless);
+  EXPECT_EQ(other.shell.rotary_inertia, 100);
+  EXPECT_FALSE(other.output.resultants);
+}
+
+TEST(CaseReader, HoldsSingleComponentsOfADirector) {
+  const auto fix = [](const std::string& components) {
+    return parse_case(sample_with(R"(["x", "y"])", components), "c.toml", {"model=shell"}).fixes.at(0);
+  };
+  const auto symmetry = fix(R"(["x", "director-x"])");
+  EXPECT_EQ(symmetry.components, (std::array{true, false, false}));
+  EXPECT_EQ(symmetry.director, (std::array{true, false, false}));
+  EXPECT_FALSE(symmetry.rotation);
+  const auto clamped = fix(R"(["rotation", "director-z"])");
+  EXPECT_EQ(clamped.director, (std::array{true, true, true}));
+  EXPECT_TRUE(clamped.rotation);
+  EXPECT_EQ(fix(R"(["x"])").director, (std::array{false, false, false}));
+  EXPECT_EQ(full().fixes[0].director, (std::array{true, true, true}));
+  EXPECT_EQ(full().fixes[1].director, (std::array{false, false, false}));
 }
 
 TEST(CaseReader, RefusesAPoissonNumberThatMakesASheetUnstable) {

@@ -40,7 +40,7 @@ TEST(Settings, AddTablesAndKeysThatTheFileLacks) {
   EXPECT_DOUBLE_EQ(c.fabric.damping.membrane, 0.002);
   EXPECT_DOUBLE_EQ(c.fabric.damping.bending, 3e-4);
   EXPECT_EQ(c.contact.restitution, 0.5);
-  EXPECT_NEAR(c.fabric.warp_bending, 0.589 * 9.80665e-5, 1e-18);
+  EXPECT_NEAR(c.fabric.warp_bending, 0.589 * 9.80665e-5 / (1 - 0.3 * 0.3), 1e-18);
 }
 
 TEST(Settings, ReachIntoArraysByIndex) {
@@ -68,8 +68,8 @@ TEST(Settings, AreNamedWhenTheyAreWrong) {
   EXPECT_EQ(complaint("materials.poisson=0.3"),
             "--set materials.poisson=0.3: materials: unknown key, did you mean 'material'?");
   EXPECT_EQ(complaint("material.bending.law=linear"),
-            "--set material.bending.law=linear: material.bending.rigidity: missing: Moment per width and curvature, or "
-            "`[warp, weft]` of it, e.g. `\"0.589 gf*cm^2/cm\"`.");
+            "--set material.bending.law=linear: material.bending.rigidity: missing: Moment per width and curvature of "
+            "a strip, or `[warp, weft]` of it, e.g. `\"0.589 gf*cm^2/cm\"`.");
 }
 
 TEST(Settings, ThatLeadNowhereAreRefused) {

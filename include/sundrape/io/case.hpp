@@ -25,7 +25,7 @@ struct Place {  // rest -> placed: rotate about the origin, then translate
   double angle = 0;  // [rad]
 };
 
-enum class Model { particle };
+enum class Model { particle, shell };
 enum class Analysis { dynamics, relaxation };
 
 // [m], warp direction first
@@ -64,8 +64,9 @@ struct FixCase {
   std::string name;  // of its reaction in the result; from the selector unless given
   Selector nodes;
   std::array<bool, 3> components{true, true, true};
-  bool rotation = true;
-  SourceLine source;  // of the selector
+  std::array<bool, 3> director{true, true, true};  // components of a shell node's director; all with `rotation`
+  bool rotation = true;                            // the slope: of a particle net's edge, or the whole director
+  SourceLine source;                               // of the selector
 };
 
 // [m/s²]
@@ -186,13 +187,29 @@ struct ProbeCase {
 struct OutputCase {
   std::vector<double> frame_times;  // dynamics: from 0 to the duration
   double checkpoint_every = 2;      // wall clock [s]
+  bool resultants = true;           // strains and stress resultants of a shell's elements in every frame
   std::vector<ProbeCase> probes;
+};
+
+enum class ShellMembrane { centre, bilinear, edge_tied, mixed };
+enum class ShellBending { geodesic, bilinear };
+enum class ShellDirector { automatic, inertia, massless };
+
+/// How the shell elements are made, with model = "shell".
+struct ShellCase {
+  ShellMembrane membrane = ShellMembrane::centre;
+  std::optional<double> hourglass_factor;  // default 0.1, and 1 in elements that span the sheet from edge to edge
+  ShellBending bending = ShellBending::geodesic;
+  double shear_correction = 5.0 / 6;  // κ on G_s h, once
+  ShellDirector director = ShellDirector::automatic;
+  double rotary_inertia = 1;  // factor on ρ h³/12
 };
 
 /// One case, fully resolved: SI units, defaults filled in, ranges checked. What a reader of case files hands on.
 struct Case {
   std::string title;
   Model model = Model::particle;
+  ShellCase shell;
   Analysis analysis = Analysis::dynamics;
   ClothCase cloth;
   Fabric fabric;

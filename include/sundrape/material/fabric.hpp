@@ -7,15 +7,15 @@ namespace sundrape {
 
 /// A fabric as resultants per unit width: what a sheet needs to know, whatever its thickness was measured to be.
 struct Fabric {
-  double thickness = 0;       // h [m]
-  double area_density = 0;    // mass per area [kg/m²]
-  double poisson = 0;         // ν
+  double thickness = 0;     // h [m]
+  double area_density = 0;  // mass per area [kg/m²]
+  double poisson = 0;  // ν, of an orthotropic fabric ν₁₂; ν₂₁ = ν₁₂ E₂/E₁, in bending ν₁₂ B₂/B₁
   double warp_membrane = 0;   // E₁ h [N/m]
   double weft_membrane = 0;   // E₂ h [N/m]
   double shear_membrane = 0;  // G h [N/m]
-  double warp_bending = 0;  // D₁₁ of the sheet, E h³/(12 (1 − ν²)), or B/(1 − ν²) of a measured strip [N m]
+  double warp_bending = 0;  // D₁₁ of the sheet: B₁/(1 − ν₁₂ ν₂₁) where a strip, free to curl across, has B₁ [N m]
   double weft_bending = 0;      // D₂₂ [N m]
-  double bending_coupling = 0;  // D₁₂ [N m]
+  double bending_coupling = 0;  // D₁₂ = ν₁₂ D₂₂ [N m]
   double twist_bending = 0;     // m₁₂ per engineering twist 2κ₁₂ [N m]
   double transverse_shear = 0;  // G_s h without a correction factor [N/m]
 
@@ -40,6 +40,26 @@ struct Fabric {
     double diagonal_compression_factor = 1;  // B' of the shorter diagonal, with diagonal_springs
   } net;
 };
+
+/// A sheet with different threads in warp and weft: E₁ h, E₂ h, G h; bending B_i = E_i h³/12 of strips and G h³/12 of
+/// the twist; transverse shear √(E₁ E₂) h / (2 (1 + √(ν₁₂ ν₂₁))), which is that of an isotropic fabric for E₁ = E₂.
+/// @throws std::invalid_argument  unless all moduli, h and area_density are positive, 0 ≤ ν₁₂ < 0.5 and ν₁₂ ν₂₁ < 1
+[[nodiscard]] Fabric orthotropic_fabric(double warp_modulus, double weft_modulus, double shear_modulus, double poisson,
+                                        double thickness, double area_density);
+
+/// Replaces the bending of a fabric by that measured on strips.
+///
+/// A strip is free to curl across, so what a test of it measures is B_i = E_i I per width (chapter (45), article (31));
+/// the sheet, which bends into a cylinder, has D₁₁ = B₁/(1 − ν₁₂ ν₂₁), D₁₂ = ν₁₂ D₂₂ with ν₂₁ = ν₁₂ B₂/B₁ (32), (33).
+/// @param warp, weft  B₁, B₂ [N m]
+/// @param twist       m₁₂ per engineering twist 2κ₁₂ [N m]; default √(B₁ B₂)/(2 (1 + √(ν₁₂ ν₂₁))), of an isotropic
+///                    fabric D (1 − ν)/2
+/// @throws std::invalid_argument  unless all are positive and ν₁₂ ν₂₁ < 1
+void set_measured_bending(Fabric& fabric, double warp, double weft, std::optional<double> twist = {});
+
+/// Likewise for laws M = f(K) of strips; the rigidities become those at K = 0.
+/// @throws std::invalid_argument  as PlateBending does
+void set_measured_bending(Fabric& fabric, const Fabric::MeasuredBending& strips);
 
 /// The bending of a fabric's sheet.
 [[nodiscard]] PlateBending plate_bending(const Fabric& fabric);

@@ -28,6 +28,10 @@ class MomentCurvature {
   /// The slope at the origin [N m].
   [[nodiscard]] double initial_rigidity() const { return alpha_[0]; }
   [[nodiscard]] bool is_linear() const { return linear_; }
+  /// α_k [N m^k].
+  [[nodiscard]] std::span<const double> coefficients() const { return {alpha_.data(), terms_}; }
+  /// K_max [1/m], of a linear law far past any curvature.
+  [[nodiscard]] double max_curvature() const { return max_; }
 
   template <class Real>
   struct Response {

@@ -37,12 +37,12 @@ class PlateBending {
   explicit PlateBending(const Eigen::Matrix3d& rigidity);
   /// @param warp, weft  of strips cut along either thread, per width
   /// @param poisson     ν, in [0, 0.5)
-  /// @throws std::invalid_argument  out of range, or Form::linear
+  /// @throws std::invalid_argument  out of range, Form::linear, or laws too different for ν: ν (B₁ + B₂)/2 ≥ √(B₁ B₂)
   PlateBending(Form form, const MomentCurvature& warp, const MomentCurvature& weft, double poisson);
 
   [[nodiscard]] Form form() const { return form_; }
   [[nodiscard]] bool is_symmetric() const { return form_ != Form::paper || poisson_ == 0; }
-  /// D, of a nonlinear law at κ = 0 [N m].
+  /// D, of a nonlinear law the symmetric part of its tangent at κ = 0 [N m].
   [[nodiscard]] const Eigen::Matrix3d& rigidity() const { return rigidity_; }
 
   /// @tparam Real  double, or a SIMD batch of them

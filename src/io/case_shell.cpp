@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include "case_choices.hpp"
+#include "case_parts.hpp"
+
+namespace sundrape {
+
+ShellCase resolve_shell(const CaseSection& section) {
+  ShellCase shell;
+  shell.membrane = choices::membrane.value(section.text("membrane"));
+  shell.hourglass_factor = section.maybe_number("hourglass_factor");
+  shell.bending = choices::bending.value(section.text("bending"));
+  shell.shear_correction = section.number("shear_correction");
+  shell.director = choices::director.value(section.text("director"));
+  shell.rotary_inertia = section.number("rotary_inertia");
+  return shell;
+}
+
+void require_shell_model(const CaseSection& top, const Case& resolved) {
+  if (resolved.model == Model::shell) return;
+  if (top.has("shell")) top.fail("shell", "belongs to model = \"shell\", not to \"particle\"");
+  if (resolved.fabric.measured_bending)
+    top.table("material")
+        .table("bending")
+        .fail("law",
+              "the particle net bends linearly: \"polynomial\" needs model = \"shell\", or take law = \"linear\"");
+}
+
+void require_integrator_of_director(const CaseSection& top, const Case& resolved) {
+  if (resolved.model != Model::shell || resolved.analysis != Analysis::dynamics) return;
+  if (resolved.shell.director == ShellDirector::massless && resolved.dynamics.integrator != IntegratorKind::ida)
+    top.table("shell").fail(
+        "director", fmt::format("\"massless\" makes a DAE, which dynamics.integrator = \"{}\" cannot solve; take "
+                                "\"ida\", or director = \"inertia\"",
+                                choices::integrator.name(resolved.dynamics.integrator)));
+}
+
+}  // namespace sundrape
