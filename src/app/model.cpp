@@ -207,7 +207,7 @@ CaseModel build_model(const Case& c) {
   auto terms = particle_net(model.mesh, threads, c.fabric, placed, supports.clamped);
   model.threads = dynamic_cast<const StretchSprings*>(terms.at(0).get());
   for (const auto& term : terms)
-    if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends = bends;
+    if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends.push_back(bends);
   add_loads(c, model, threads, placed, mass, terms);
   if (c.fabric.damping.mass > 0) terms.push_back(std::make_unique<Drag>(mass, c.fabric.damping.mass));
   add_contact(c, model, terms);

@@ -155,7 +155,8 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
   const auto [smallest, largest] = model_.threads->strain_range(all.q);
   extremes_.largest_edge_strain = std::max(extremes_.largest_edge_strain, largest);
   extremes_.smallest_edge_strain = std::min(extremes_.smallest_edge_strain, smallest);
-  if (model_.bends) extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, model_.bends->largest_angle(all.q));
+  for (const auto* bends : model_.bends)
+    extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, bends->largest_angle(all.q));
   writer_.append_frame(f);
   xdmf_.add_frame(f.variable);
   last_ = std::move(f);

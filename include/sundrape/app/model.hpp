@@ -24,7 +24,7 @@ struct CaseModel {
   Vector initial;                            // placed and wavy positions, 3N [m]
   const ObstacleContact* contact = nullptr;  // owned by the system; null without obstacles
   const StretchSprings* threads = nullptr;   // owned by the system
-  const BendSprings* bends = nullptr;        // owned by the system
+  std::vector<const BendSprings*> bends;  // owned by the system; measured laws of warp and weft are terms of their own
   std::vector<ReactionSet> reactions;
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
