@@ -68,7 +68,8 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
   const auto& fabric = c.fabric;
   const int n = mesh.nodes();
   Sheet sheet;
-  sheet.director_length = mean_edge_length(mesh);
+  // As long as half a cell a director's point has about the stiffness of a node's, and its errors weigh like a node's.
+  sheet.director_length = 0.5 * mean_edge_length(mesh);
   const auto directors = rest_directors(mesh);
   const Vector node_mass = lumped_mass(mesh, fabric);
   const double radius2 = fabric.thickness * fabric.thickness / 12, l2 = sheet.director_length * sheet.director_length;
