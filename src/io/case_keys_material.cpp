@@ -17,6 +17,16 @@ Section material() {
           "`weft_modulus` and `shear_modulus` together.",
       .keys =
           {
+              {.name = "fabric",
+               .type = KeyType::text,
+               .default_note = "none",
+               .doc =
+                   "A fabric of the [library](fabrics.md) by its name, or a `.toml` file with the keys of a material, "
+                   "relative to the case; keys beside it replace its own."},
+              {.name = "title",
+               .type = KeyType::text,
+               .default_note = "the fabric's name",
+               .doc = "A line for people."},
               {.name = "thickness", .unit = "m", .range = positive(), .required = true, .doc = "h."},
               {.name = "weight",
                .unit = "N/m^2",
