@@ -66,8 +66,8 @@ toml::table read_fabric(const toml::node& name, const std::filesystem::path& fol
     const auto names = library.names();
     const auto near = nearest_name(written, names);
     throw CaseError(here,
-                    fmt::format("there is no fabric '{}'{}; available: {}", written,
-                                near.empty() ? "" : fmt::format(", did you mean '{}'?", near), fmt::join(names, ", ")));
+                    fmt::format("there is no fabric '{}'; {}available: {}", written,
+                                near.empty() ? "" : fmt::format("did you mean '{}'? ", near), fmt::join(names, ", ")));
   }
   std::ifstream stream(*file, std::ios::binary);
   if (!stream) throw CaseError(here, fmt::format("{} cannot be read", file->string()));
