@@ -8,12 +8,14 @@
 #include "sundrape/app/obstacles.hpp"
 #include "sundrape/force/dead_load.hpp"
 #include "sundrape/force/drag.hpp"
-#include "sundrape/force/particle_net.hpp"
 #include "sundrape/force/pressure.hpp"
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/mesh/builders.hpp"
+#include "sundrape/mesh/directors.hpp"
 #include "sundrape/mesh/import.hpp"
 #include "sundrape/mesh/waviness.hpp"
+
+#include "sheet.hpp"
 
 namespace sundrape {
 namespace {
@@ -67,19 +69,18 @@ std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std:
   return nodes;
 }
 
-struct Supports {
-  std::vector<Unknowns::Held> held;
-  std::vector<bool> clamped;
-};
-
 Supports support(const Case& c, CaseModel& model, const std::vector<Vector3>& placed) {
   const auto n = placed.size();
-  Supports s{std::vector<Unknowns::Held>(n, Unknowns::Held{}), std::vector<bool>(n, false)};
+  Supports s{std::vector<Unknowns::Held>(n, Unknowns::Held{}), std::vector<Unknowns::Held>(n, Unknowns::Held{}),
+             std::vector<bool>(n, false)};
   for (const auto& fix : c.fixes) {
     auto nodes = pick(fix.nodes, model.mesh, placed, fix.source);
     for (const int node : nodes) {
       const auto i = static_cast<std::size_t>(node);
-      for (std::size_t k = 0; k < 3; ++k) s.held[i][k] = s.held[i][k] || fix.components[k];
+      for (std::size_t k = 0; k < 3; ++k) {
+        s.position[i][k] = s.position[i][k] || fix.components[k];
+        s.director[i][k] = s.director[i][k] || fix.director[k];
+      }
       if (fix.rotation) s.clamped[i] = true;
     }
     model.reactions.push_back({fix.name, std::move(nodes)});
@@ -96,8 +97,17 @@ Vector equal_shares(const std::vector<int>& nodes, const Vector3& total, int poi
 
 using Terms = std::vector<std::unique_ptr<ForceTerm>>;
 
+/// Weights of the nodes; directors have inertia but no weight of their own.
+Vector node_weights(const Sheet& sheet, int nodes, const Vector3& acceleration) {
+  Vector mass = sheet.mass;
+  mass.tail(mass.size() - nodes).setZero();
+  return weight(mass, acceleration);
+}
+
 void add_loads(const Case& c, CaseModel& model, const Threads& threads, const std::vector<Vector3>& placed,
-               const Vector& mass, Terms& terms) {
+               Sheet& sheet) {
+  Terms& terms = sheet.terms;
+  const int points = sheet.points();
   Vector3 gravity = Vector3::Zero();
   for (const auto& load : c.loads) {
     const Ramp ramp{c.analysis == Analysis::dynamics ? load.ramp
@@ -105,18 +115,18 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
     std::visit(
         Overload{[&](const GravityLoad& g) {
                    gravity += g.acceleration;
-                   terms.push_back(
-                       std::make_unique<DeadLoad>("gravity", EnergyKind::gravity, weight(mass, g.acceleration), ramp));
+                   terms.push_back(std::make_unique<DeadLoad>(
+                       "gravity", EnergyKind::gravity, node_weights(sheet, model.mesh.nodes(), g.acceleration), ramp));
                  },
                  [&](const ForceLoad& f) {
                    const auto nodes = pick(f.nodes, model.mesh, placed, load.source);
                    terms.push_back(std::make_unique<DeadLoad>("force", EnergyKind::load,
-                                                              equal_shares(nodes, f.total, model.mesh.nodes()), ramp));
+                                                              equal_shares(nodes, f.total, points), ramp));
                  },
                  [&](const TractionLoad& t) {
                    const auto nodes = pick(t.nodes, model.mesh, placed, load.source);
                    const auto lengths = tributary_edge_lengths(model.mesh, nodes);
-                   Vector forces = Vector::Zero(3 * static_cast<Eigen::Index>(model.mesh.nodes()));
+                   Vector forces = Vector::Zero(3 * static_cast<Eigen::Index>(points));
                    for (const int n : nodes) point(forces, n) = lengths[static_cast<std::size_t>(n)] * t.per_length;
                    if (std::ranges::all_of(lengths, [](double l) { return l == 0; }))
                      throw CaseError(load.source,
@@ -127,8 +137,7 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
                  [&](const MomentLoad& m) {
                    const auto nodes = pick(m.nodes, model.mesh, placed, load.source);
                    try {
-                     terms.push_back(
-                         std::make_unique<EdgeMoment>(moment_on_edge(model.mesh, threads, nodes, m.total), ramp));
+                     terms.push_back(moment_load(sheet, model.mesh, threads, nodes, m.total, ramp));
                    } catch (const std::invalid_argument& problem) {
                      throw CaseError(load.source, problem.what());
                    }
@@ -138,7 +147,7 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
                  }},
         load.load);
   }
-  model.weight = mass.sum() * gravity.norm();
+  model.weight = sheet.mass.head(model.mesh.nodes()).sum() * gravity.norm();
   model.gravity = gravity.norm() > 0 ? gravity.norm() : 9.80665;
 }
 
@@ -187,11 +196,30 @@ void lay_on_obstacles(const ObstacleContact& contact, double weight_per_area, co
     const auto [gap, normal] = contact.closest(positions[i]);
     if (!(std::abs(gap) <= reach) || gap >= rest) continue;
     for (int k = 0; k < 3; ++k)
-      if (!supports.held[i][static_cast<std::size_t>(k)]) positions[i][k] += (rest - gap) * normal[k];
+      if (!supports.position[i][static_cast<std::size_t>(k)]) positions[i][k] += (rest - gap) * normal[k];
   }
 }
 
+Sheet make_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, const std::vector<Vector3>& placed,
+                 const Supports& supports) {
+  if (c.model == Model::particle) return net_sheet(c, mesh, threads, placed, supports);
+  try {
+    return shell_sheet(c, mesh, supports);
+  } catch (const std::invalid_argument& problem) {
+    const auto* file = std::get_if<MeshShape>(&c.cloth.shape);
+    throw CaseError(file ? file->source : SourceLine{}, problem.what());
+  }
+}
+
+// Rates of directors matter through the sheet's motion only, and ring at the frequencies of transverse shear.
+constexpr double director_rate_slack = 100;
+
 }  // namespace
+
+Vector CaseModel::directors_of(const ConstVectorRef& all) const {
+  if (!has_directors()) return {};
+  return all.tail(3 * static_cast<Eigen::Index>(mesh.nodes())) / director_length;
+}
 
 CaseModel build_model(const Case& c) {
   CaseModel model;
@@ -203,26 +231,44 @@ CaseModel build_model(const Case& c) {
   for (const auto& probe : c.output.probes)
     model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
 
-  const Vector mass = lumped_mass(model.mesh, c.fabric);
-  auto terms = particle_net(model.mesh, threads, c.fabric, placed, supports.clamped);
-  model.threads = dynamic_cast<const StretchSprings*>(terms.at(0).get());
-  for (const auto& term : terms)
-    if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends = bends;
-  add_loads(c, model, threads, placed, mass, terms);
-  if (c.fabric.damping.mass > 0) terms.push_back(std::make_unique<Drag>(mass, c.fabric.damping.mass));
-  add_contact(c, model, terms);
+  auto sheet = make_sheet(c, model.mesh, threads, placed, supports);
+  model.edge_strains = EdgeStrains(model.mesh);
+  model.director_length = sheet.director_length;
+  for (const auto& term : sheet.terms) {
+    if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends.push_back(bends);
+    if (const auto* directors = dynamic_cast<const DirectorLength*>(term.get())) model.directors = directors;
+  }
+  add_loads(c, model, threads, placed, sheet);
+  if (c.fabric.damping.mass > 0) sheet.terms.push_back(std::make_unique<Drag>(sheet.mass, c.fabric.damping.mass));
+  add_contact(c, model, sheet.terms);
 
   auto start = wavy(model.mesh, placed, waviness(c, c.fabric.thickness), c.cloth.waviness_seed);
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
-      if (supports.held[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
+      if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
   if (model.contact != nullptr)
     lay_on_obstacles(*model.contact, c.fabric.area_density * model.gravity, supports, start);
-  model.initial = flatten(start);
-  Unknowns unknowns(supports.held);
+  auto points = start;
+  if (model.has_directors()) {
+    const auto carried = carried_directors(model.mesh, sheet.directors, placed, start);
+    for (std::size_t i = 0; i < carried.size(); ++i) {
+      const auto& held = supports.director[i];
+      const bool free = !held[0] && !held[1] && !held[2];
+      points.emplace_back(model.director_length * (free ? carried[i] : sheet.directors[i]));
+    }
+  }
+  model.initial = flatten(points);
+  Unknowns unknowns(sheet.held, sheet.order);
   if (unknowns.rows() == 0)
     throw CaseError(c.fixes.front().source, "every node of the cloth is held: nothing is left to move");
-  model.system = std::make_unique<System>(mass, std::move(terms), std::move(unknowns), model.initial);
+  if (model.has_directors()) {
+    model.rate_slack = Vector::Ones(unknowns.rows());
+    for (int r = 0; r < unknowns.rows(); ++r)
+      if (unknowns.point_of_row()[static_cast<std::size_t>(r)] >= model.mesh.nodes())
+        model.rate_slack[r] = director_rate_slack;
+  }
+  model.system =
+      std::make_unique<System>(std::move(sheet.mass), std::move(sheet.terms), std::move(unknowns), model.initial);
   return model;
 }
 

@@ -19,7 +19,8 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
                        std::uint64_t expected_frames) {
   ResultHeader h;
   h.title = c.title;
-  h.model = "particle";
+  h.model = c.model == Model::shell ? "shell" : "particle";
+  h.director = model.has_directors();
   h.analysis = c.analysis == Analysis::dynamics ? "dynamics" : "relaxation";
   h.case_text = c.text;
   h.version = version();
@@ -71,13 +72,13 @@ Recorder::Restart read_restart(const ResultReader& earlier, const std::filesyste
 }
 
 ResultWriter open_writer(const ResultHeader& header, const Recorder::Files& files,
-                         std::optional<Recorder::Restart>& restart) {
+                         std::optional<Recorder::Restart>& restart, Eigen::Index size) {
   if (!files.resume) return {files.output, header};
   const ResultReader earlier(*files.resume);
   if (earlier.analysis() != header.analysis)
     throw FileError(fmt::format(R"({}: is the result of analysis = "{}", the case says "{}")", files.resume->string(),
                                 earlier.analysis(), header.analysis));
-  restart = read_restart(earlier, *files.resume, static_cast<Eigen::Index>(3 * header.mesh.reference.size()));
+  restart = read_restart(earlier, *files.resume, size);
   return ResultWriter::resume(files.output, header, earlier);
 }
 
@@ -114,7 +115,7 @@ Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, st
       model_(model),
       header_(header_of(c, model, std::move(columns), expected_frames)),
       clock_(clock),
-      writer_(open_writer(header_, files, restart_)),
+      writer_(open_writer(header_, files, restart_, model.initial.size())),
       xdmf_(files.output, header_) {
   if (files.resume) {
     const ResultReader earlier(files.output);
@@ -129,8 +130,9 @@ Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, st
 void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots) {
   Frame f;
   f.variable = all.time;
-  f.position = all.q;
-  f.velocity = all.v;
+  f.position = model_.of_nodes(all.q);
+  f.velocity = model_.of_nodes(all.v);
+  f.director = model_.directors_of(all.q);
   const auto& e = balance.energies;
   f.energies = {.kinetic = e.kinetic,
                 .membrane = e.membrane,
@@ -146,16 +148,18 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
   f.negative_pivots = negative_pivots.value_or(-1);
   if (model_.contact) {
     const Vector still = Vector::Zero(all.v.size());
-    f.contact_force = Vector::Zero(all.q.size());
-    model_.contact->add_force({all.time, all.q, still}, f.contact_force);
+    Vector contact_force = Vector::Zero(all.q.size());
+    model_.contact->add_force({all.time, all.q, still}, contact_force);
+    f.contact_force = model_.of_nodes(contact_force);
     f.penetration = model_.contact->report(all).deepest_penetration;
   }
   for (const auto& set : model_.reactions) f.reactions.push_back(reaction(*model_.system, all, set.nodes));
   if (case_.analysis == Analysis::relaxation) extremes_ = {.deepest_penetration = f.penetration};
-  const auto [smallest, largest] = model_.threads->strain_range(all.q);
+  const auto [smallest, largest] = model_.edge_strains.range(all.q);
   extremes_.largest_edge_strain = std::max(extremes_.largest_edge_strain, largest);
   extremes_.smallest_edge_strain = std::min(extremes_.smallest_edge_strain, smallest);
-  if (model_.bends) extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, model_.bends->largest_angle(all.q));
+  for (const auto* bends : model_.bends)
+    extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, bends->largest_angle(all.q));
   writer_.append_frame(f);
   xdmf_.add_frame(f.variable);
   last_ = std::move(f);

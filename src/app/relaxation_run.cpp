@@ -15,14 +15,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int frame_every = 5;  // iterations
 
-SolverKind solver_kind(const Case& c) {
+SolverKind solver_kind(const Case& c, const System& system) {
   if (c.relaxation.linear_solver == "lu") return SolverKind::lu;
   if (c.relaxation.linear_solver == "cg") return SolverKind::conjugate_gradients;
   if (c.relaxation.linear_solver == "cholesky") return SolverKind::cholesky;
-  // "auto": a pressure that follows the faces has no symmetric tangent
-  for (const auto& load : c.loads)
-    if (std::holds_alternative<PressureLoad>(load.load)) return SolverKind::lu;
-  return SolverKind::cholesky;
+  return system.has_symmetric_tangent() ? SolverKind::cholesky : SolverKind::lu;  // "auto"
 }
 
 /// Loads without a potential do no work that a fictitious motion could account for; what dead loads did is exact.
@@ -158,7 +155,7 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
                        "|out-of-balance force| / |external force| there");
     result = found;
   } else {
-    const auto solver = make_linear_solver(solver_kind(c));
+    const auto solver = make_linear_solver(solver_kind(c, system));
     options.tolerance = c.relaxation.tolerance;
     options.max_iterations = c.relaxation.max_iterations.value_or(options.max_iterations);
     options.first_step = first_step;

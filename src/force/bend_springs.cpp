@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sundrape/force/bend_law.hpp"
 #include "sundrape/force/hinge_angle.hpp"
 
 #include "batch.hpp"
@@ -164,14 +165,17 @@ struct BendSprings::Stencil {
   }
 };
 
-BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxation_time)
-    : relaxation_time_(relaxation_time) {
+BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxation_time,
+                         std::optional<MomentCurvature> law)
+    : relaxation_time_(relaxation_time), law_(law && !law->is_linear() ? law : std::nullopt) {
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of bending must not be negative [s]");
   std::vector<decltype(table_)::Element> elements;
   elements.reserve(springs.size());
   for (const auto& s : springs) {
     if (!(s.stiffness > 0)) throw std::invalid_argument("a bend spring has no stiffness");
-    elements.push_back({{s.previous, s.centre, s.next, s.cross_to, s.cross_from}, {s.skew, s.rest_angle, s.stiffness}});
+    if (law_ && !(s.length > 0)) throw std::invalid_argument("a bend spring with a law of bending has no length");
+    elements.push_back(
+        {{s.previous, s.centre, s.next, s.cross_to, s.cross_from}, {s.skew, s.rest_angle, s.stiffness, s.length}});
     auto points = elements.back().points_of;
     for (const std::size_t end : {3, 4})
       if (points[end] == s.centre) points[end] = -1;
@@ -217,6 +221,7 @@ double BendSprings::energy(const State& state) const {
   return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
     const auto x = edges(e, state.q);
     const Batch turn = BasicHingeAngle<Batch>(x.a, x.b, x.c).angle - load(table_, rest_angle, e);
+    if (law_) return load(table_, stiffness, e) * bend_response(*law_, load(table_, length, e), turn).energy;
     return Batch(0.5) * load(table_, stiffness, e) * turn * turn;
   });
 }
@@ -236,6 +241,7 @@ void BendSprings::add_force(const State& state, VectorRef f) const {
     const auto x = edges(e, state.q);
     const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
     Batch turn = hinge.angle - load(table_, rest_angle, e);
+    if (law_) turn = bend_response(*law_, load(table_, length, e), turn).turn;
     if (relaxation_time_ > 0) turn += Batch(relaxation_time_) * edges(e, state.v).along(hinge);
     const Batch moment = load(table_, stiffness, e) * turn;
     const Batch3 fc = -moment * hinge.gc, held = load(table_, skew, e) * fc;
@@ -256,13 +262,19 @@ void BendSprings::add_tangent(const State& state, double dq, double dv, Assemble
     const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
     const BasicHingeCurvature<Batch> curved(x.a, x.b, x.c);
     const Batch stiff = load(table_, stiffness, e), viscosity = Batch(relaxation_time_) * stiff;
-    Batch moment = stiff * (hinge.angle - load(table_, rest_angle, e));
+    Batch turn = hinge.angle - load(table_, rest_angle, e), tangent_stiffness = stiff;
+    if (law_) {
+      const auto bent = bend_response(*law_, load(table_, length, e), turn);
+      turn = bent.turn;
+      tangent_stiffness *= bent.slope;
+    }
+    Batch moment = stiff * turn;
     Edges v{Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0))};
     if (relaxation_time_ > 0) {
       v = edges(e, state.v);
       moment += viscosity * v.along(hinge);
     }
-    auto t = edge_tangent(hinge, curved, Batch(dq) * stiff + Batch(dv) * viscosity, Batch(dq) * moment);
+    auto t = edge_tangent(hinge, curved, Batch(dq) * tangent_stiffness + Batch(dv) * viscosity, Batch(dq) * moment);
     std::array<bool, lanes> plain{};
     for (std::size_t lane = 0; lane < count; ++lane) plain[lane] = !exact && is_plain(e + lane);
     const auto plain_ones = static_cast<std::size_t>(std::ranges::count(plain, true));

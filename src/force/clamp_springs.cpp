@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "sundrape/force/bend_law.hpp"
 #include "sundrape/force/hinge_angle.hpp"
 
 namespace sundrape {
@@ -11,18 +12,22 @@ Vector3 edge(const ClampSpring& s, ConstVectorRef x) { return point(x, s.next) -
 
 }  // namespace
 
-ClampSprings::ClampSprings(std::vector<ClampSpring> springs, double relaxation_time)
-    : springs_(std::move(springs)), relaxation_time_(relaxation_time) {
+ClampSprings::ClampSprings(std::vector<ClampSpring> springs, double relaxation_time, std::optional<MomentCurvature> law)
+    : springs_(std::move(springs)),
+      relaxation_time_(relaxation_time),
+      law_(law && !law->is_linear() ? law : std::nullopt) {
   if (!(relaxation_time >= 0)) throw std::invalid_argument("the relaxation time of bending must not be negative [s]");
-  for (const auto& s : springs_)
+  for (const auto& s : springs_) {
     if (!(s.stiffness > 0)) throw std::invalid_argument("a clamp has no stiffness");
+    if (law_ && !(s.length > 0)) throw std::invalid_argument("a clamp with a law of bending has no length");
+  }
 }
 
 double ClampSprings::energy(const State& state) const {
   double sum = 0;
   for (const auto& s : springs_) {
     const double angle = HingeAngle(s.direction, edge(s, state.q), s.axis).angle;
-    sum += 0.5 * s.stiffness * angle * angle;
+    sum += law_ ? s.stiffness * bend_response(*law_, s.length, angle).energy : 0.5 * s.stiffness * angle * angle;
   }
   return sum;
 }
@@ -39,7 +44,8 @@ double ClampSprings::dissipated_power(const State& state) const {
 void ClampSprings::add_force(const State& state, VectorRef f) const {
   for (const auto& s : springs_) {
     const HingeAngle hinge(s.direction, edge(s, state.q), s.axis);
-    const Vector3 pull = s.stiffness * (hinge.angle + relaxation_time_ * hinge.gb.dot(edge(s, state.v))) * hinge.gb;
+    const double turn = law_ ? bend_response(*law_, s.length, hinge.angle).turn : hinge.angle;
+    const Vector3 pull = s.stiffness * (turn + relaxation_time_ * hinge.gb.dot(edge(s, state.v))) * hinge.gb;
     point(f, s.next) -= pull;
     point(f, s.node) += pull;
   }
@@ -52,9 +58,15 @@ void ClampSprings::add_tangent(const State& state, double dq, double dv, Assembl
     const Vector3 b = edge(s, state.q), rate = edge(s, state.v);
     const HingeAngle hinge(s.direction, b, s.axis);
     const Matrix3 curved = HingeCurvature(s.direction, b, s.axis).bb;
+    double turn = hinge.angle, tangent_stiffness = s.stiffness;
+    if (law_) {
+      const auto bent = bend_response(*law_, s.length, turn);
+      turn = bent.turn;
+      tangent_stiffness *= bent.slope;
+    }
     const double viscosity = relaxation_time_ * s.stiffness;
-    const double moment = s.stiffness * hinge.angle + viscosity * hinge.gb.dot(rate);
-    Matrix3 block = -(dq * s.stiffness + dv * viscosity) * hinge.gb * hinge.gb.transpose() - dq * moment * curved;
+    const double moment = s.stiffness * turn + viscosity * hinge.gb.dot(rate);
+    Matrix3 block = -(dq * tangent_stiffness + dv * viscosity) * hinge.gb * hinge.gb.transpose() - dq * moment * curved;
     if (exact) block -= dq * viscosity * hinge.gb * (curved * rate).transpose();
     tangent.add_diagonal(e, 0, block);
     tangent.add_diagonal(e, 1, block);

@@ -1,7 +1,9 @@
 #include "sundrape/force/particle_net.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -15,7 +17,17 @@
 namespace sundrape {
 namespace {
 
-double bending(const Fabric& fabric, bool warp) { return warp ? fabric.warp_bending : fabric.weft_bending; }
+/// Bending of the threads along warp or weft.
+struct ThreadBending {
+  double rigidity;                     // B of the sheet [N m], of a measured law that at K = 0
+  std::optional<MomentCurvature> law;  // none: linear
+};
+
+ThreadBending bending(const Fabric& fabric, bool warp) {
+  if (!fabric.measured_bending) return {warp ? fabric.warp_bending : fabric.weft_bending, std::nullopt};
+  const auto& law = warp ? fabric.measured_bending->warp : fabric.measured_bending->weft;
+  return {law.initial_rigidity() / (1 - fabric.poisson * fabric.poisson), law};
+}
 
 std::vector<StretchSpring> thread_springs(const Threads& threads, const Fabric& fabric) {
   std::vector<StretchSpring> springs;
@@ -54,30 +66,51 @@ std::vector<StretchSpring> diagonal_springs(const QuadMesh& mesh, const Fabric& 
   return springs;
 }
 
-std::vector<BendSpring> bend_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
-                                     const std::vector<bool>& clamped) {
-  std::vector<BendSpring> springs;
+/// The springs of warp or weft, and what their laws have in common.
+template <class Spring>
+struct Family {
+  std::vector<Spring> springs;
+  std::optional<MomentCurvature> law;
+};
+/// Linear springs of warp and weft are one family, since their stiffness is all that tells them apart; with laws they
+/// are two.
+template <class Spring>
+using Families = std::array<Family<Spring>, 2>;
+
+template <class Spring>
+void add(Families<Spring>& families, bool warp, const ThreadBending& bending, const Spring& spring) {
+  auto& family = families[bending.law && !warp ? 1 : 0];
+  family.springs.push_back(spring);
+  family.law = bending.law;
+}
+
+Families<BendSpring> bend_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
+                                  const std::vector<bool>& clamped) {
+  Families<BendSpring> families;
   const auto x = [&](int n) { return mesh.reference[static_cast<std::size_t>(n)]; };
   for (const auto& b : threads.bends) {
     if (clamped[static_cast<std::size_t>(b.centre)]) continue;  // the clamp holds each side by itself
     const Vector3 along = x(b.centre) - x(b.previous), on = x(b.next) - x(b.centre);
     const Vector3 axis = x(b.cross_to) - x(b.cross_from) - b.skew * (along + on);
-    springs.push_back({.previous = b.previous,
-                       .centre = b.centre,
-                       .next = b.next,
-                       .cross_from = b.cross_from,
-                       .cross_to = b.cross_to,
-                       .skew = std::abs(b.skew) < 1e-12 ? 0.0 : b.skew,
-                       .rest_angle = HingeAngle(along, on, axis).angle,
-                       .stiffness = bending(fabric, b.warp) * b.width / b.length});
+    const auto bent = bending(fabric, b.warp);
+    add(families, b.warp, bent,
+        BendSpring{.previous = b.previous,
+                   .centre = b.centre,
+                   .next = b.next,
+                   .cross_from = b.cross_from,
+                   .cross_to = b.cross_to,
+                   .skew = std::abs(b.skew) < 1e-12 ? 0.0 : b.skew,
+                   .rest_angle = HingeAngle(along, on, axis).angle,
+                   .stiffness = bent.rigidity * b.width / b.length,
+                   .length = b.length});
   }
-  return springs;
+  return families;
 }
 
-std::vector<ClampSpring> clamp_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
-                                       const std::vector<Vector3>& placed, const std::vector<bool>& clamped) {
+Families<ClampSpring> clamp_springs(const QuadMesh& mesh, const Threads& threads, const Fabric& fabric,
+                                    const std::vector<Vector3>& placed, const std::vector<bool>& clamped) {
   const auto normals = node_normals(mesh, placed);
-  std::vector<ClampSpring> springs;
+  Families<ClampSpring> families;
   for (int n = 0; n < mesh.nodes(); ++n) {
     const auto i = static_cast<std::size_t>(n);
     if (!clamped[i]) continue;
@@ -86,14 +119,17 @@ std::vector<ClampSpring> clamp_springs(const QuadMesh& mesh, const Threads& thre
       if (clamped[j]) continue;
       const auto& segment = threads.segments[static_cast<std::size_t>(end.segment)];
       const Vector3 direction = (placed[j] - placed[i]).normalized();
-      springs.push_back({.node = n,
-                         .next = end.neighbour,
-                         .direction = direction,
-                         .axis = normals[i].cross(direction).normalized(),
-                         .stiffness = 2 * bending(fabric, segment.warp) * segment.width / segment.length});
+      const auto bent = bending(fabric, segment.warp);
+      add(families, segment.warp, bent,
+          ClampSpring{.node = n,
+                      .next = end.neighbour,
+                      .direction = direction,
+                      .axis = normals[i].cross(direction).normalized(),
+                      .stiffness = 2 * bent.rigidity * segment.width / segment.length,
+                      .length = 0.5 * segment.length});
     }
   }
-  return springs;
+  return families;
 }
 
 }  // namespace
@@ -110,9 +146,10 @@ std::vector<std::unique_ptr<ForceTerm>> particle_net(const QuadMesh& mesh, const
                                                      damping.membrane, fabric.net.diagonal_compression_factor));
   else
     terms.push_back(std::make_unique<CellShear>(shear_cells(mesh, fabric), damping.membrane));
-  terms.push_back(std::make_unique<BendSprings>(bend_springs(mesh, threads, fabric, clamped), damping.bending));
-  auto clamps = clamp_springs(mesh, threads, fabric, placed, clamped);
-  if (!clamps.empty()) terms.push_back(std::make_unique<ClampSprings>(std::move(clamps), damping.bending));
+  for (const auto& [springs, law] : bend_springs(mesh, threads, fabric, clamped))
+    if (!springs.empty()) terms.push_back(std::make_unique<BendSprings>(springs, damping.bending, law));
+  for (const auto& [springs, law] : clamp_springs(mesh, threads, fabric, placed, clamped))
+    if (!springs.empty()) terms.push_back(std::make_unique<ClampSprings>(springs, damping.bending, law));
   return terms;
 }
 

@@ -19,7 +19,9 @@ class Cvode final : public ImplicitIntegrator {
       : ImplicitIntegrator(system, std::move(solver), options, events),
         iteration_(y_, context_),
         embedded_([this](N_Vector x, N_Vector b) { return carrier_.run([&] { return solve_newton(x, b); }); },
-                  context_) {}
+                  context_) {
+    require_mass("CVODE");
+  }
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {
     load(time, q, v);

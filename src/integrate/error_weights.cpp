@@ -7,7 +7,8 @@ void ErrorWeights::evaluate(ConstVectorRef y, VectorRef weights) const {
   for (Eigen::Index k = 0; k < n; k += 3) {
     const double way = (y.segment<3>(k) - start.segment<3>(k)).norm(), speed = y.segment<3>(n + k).norm();
     weights.segment<3>(k).setConstant(1 / (rtol * way + atol_position));
-    weights.segment<3>(n + k).setConstant(1 / (rtol * speed + atol_velocity));
+    const double slack = rate_slack.size() > 0 ? rate_slack[k / 3] : 1.0;
+    weights.segment<3>(n + k).setConstant(1 / (slack * (rtol * speed + atol_velocity)));
   }
 }
 

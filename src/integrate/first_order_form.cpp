@@ -23,7 +23,10 @@ bool FirstOrderForm::rates(double time, ConstVectorRef y, VectorRef y_dot) {
   const auto n = system_.unknowns().size();
   auto acceleration = y_dot.tail(n);
   if (!forces(time, y, acceleration)) return false;
-  for (int r = 0; r < system_.unknowns().rows(); ++r) acceleration.segment<3>(3 * r) /= system_.row_mass()[r];
+  for (int r = 0; r < system_.unknowns().rows(); ++r) {
+    const double mass = system_.row_mass()[r];
+    acceleration.segment<3>(3 * r) *= mass > 0 ? 1 / mass : 0.0;
+  }
   y_dot.head(n) = y.tail(n);
   return true;
 }

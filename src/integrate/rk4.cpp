@@ -15,6 +15,7 @@ class RungeKutta4 final : public SundialsIntegrator {
   RungeKutta4(const System& system, const IntegratorOptions& options, EventSource* events)
       : SundialsIntegrator(system, options, events) {
     if (!(options.fixed_step > 0)) throw std::invalid_argument("the Runge–Kutta method needs a positive step [s]");
+    require_mass("the Runge–Kutta method");
   }
 
   void start(double time, ConstVectorRef q, ConstVectorRef v) override {

@@ -1,5 +1,8 @@
 #include "sundials_integrator.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace sundrape {
 namespace {
 
@@ -10,6 +13,11 @@ constexpr double slow = 0.1;
 
 SundialsIntegrator::SundialsIntegrator(const System& system, const IntegratorOptions& options, EventSource* events)
     : form_(system), options_(options), events_(events), y_(form_.size(), context_) {}
+
+void SundialsIntegrator::require_mass(const char* method) const {
+  if (form_.system().has_massless_rows())
+    throw std::invalid_argument(std::string(method) + " needs a mass at every point: use IDA");
+}
 
 void SundialsIntegrator::load(double time, ConstVectorRef q, ConstVectorRef v) {
   auto y = y_.values();
@@ -67,7 +75,7 @@ ImplicitIntegrator::ImplicitIntegrator(const System& system, std::unique_ptr<Lin
                                        const IntegratorOptions& options, EventSource* events)
     : SundialsIntegrator(system, options, events),
       newton_(system, std::move(solver), options.linear_tolerance),
-      weights_{options.rtol, options.atol_position, options.atol_velocity, Vector()} {}
+      weights_{options.rtol, options.atol_position, options.atol_velocity, Vector(), options.rate_slack} {}
 
 int ImplicitIntegrator::evaluate_weights(N_Vector y, N_Vector weights) {
   return carrier_.run([&] {

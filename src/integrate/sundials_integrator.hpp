@@ -20,6 +20,8 @@ class SundialsIntegrator : public Integrator {
  protected:
   SundialsIntegrator(const System& system, const IntegratorOptions& options, EventSource* events);
 
+  /// @throws std::invalid_argument  unknowns without mass, which only a differential-algebraic solver takes
+  void require_mass(const char* method) const;
   /// y = (q, v)
   void load(double time, ConstVectorRef q, ConstVectorRef v);
   /// Before a restart, which sets the library's counters back.

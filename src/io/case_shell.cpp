@@ -19,11 +19,6 @@ ShellCase resolve_shell(const CaseSection& section) {
 void require_shell_model(const CaseSection& top, const Case& resolved) {
   if (resolved.model == Model::shell) return;
   if (top.has("shell")) top.fail("shell", "belongs to model = \"shell\", not to \"particle\"");
-  if (resolved.fabric.measured_bending)
-    top.table("material")
-        .table("bending")
-        .fail("law",
-              "the particle net bends linearly: \"polynomial\" needs model = \"shell\", or take law = \"linear\"");
 }
 
 void require_integrator_of_director(const CaseSection& top, const Case& resolved) {

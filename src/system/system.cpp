@@ -1,5 +1,6 @@
 #include "sundrape/system/system.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace sundrape {
@@ -8,7 +9,7 @@ System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unkno
     : mass_(std::move(mass)), terms_(std::move(terms)), unknowns_(std::move(unknowns)), rest_(std::move(rest)) {
   if (mass_.size() != unknowns_.points() || rest_.size() != 3 * mass_.size())
     throw std::invalid_argument("masses, supports and coordinates differ in their number of points");
-  if (!(mass_.minCoeff() > 0)) throw std::invalid_argument("every point needs a positive mass [kg]");
+  if (!(mass_.minCoeff() >= 0)) throw std::invalid_argument("a point has a negative mass [kg]");
   row_mass_.resize(unknowns_.rows());
   for (int r = 0; r < unknowns_.rows(); ++r)
     row_mass_[r] = mass_[unknowns_.point_of_row()[static_cast<std::size_t>(r)]];
@@ -24,6 +25,10 @@ void System::expand(ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, V
   v.setZero();
   unknowns_.scatter(rows_q, q);
   unknowns_.scatter(rows_v, v);
+}
+
+bool System::has_symmetric_tangent() const {
+  return std::ranges::all_of(terms_, [](const auto& term) { return term->has_symmetric_tangent(); });
 }
 
 void System::force(const State& all, VectorRef f) const {
@@ -52,31 +57,7 @@ void System::hold(BlockMatrix& matrix, double value) const {
 Energies System::energies(const State& all) const {
   Energies e;
   for (int i = 0; i < mass_.size(); ++i) e.kinetic += 0.5 * mass_[i] * point(all.v, i).squaredNorm();
-  for (const auto& term : terms_) {
-    const double stored = term->energy(all);
-    switch (term->kind()) {
-      case EnergyKind::membrane:
-        e.membrane += stored;
-        break;
-      case EnergyKind::shear:
-        e.shear += stored;
-        break;
-      case EnergyKind::bending:
-        e.bending += stored;
-        break;
-      case EnergyKind::gravity:
-        e.gravity += stored;
-        break;
-      case EnergyKind::contact:
-        e.contact += stored;
-        break;
-      case EnergyKind::load:
-        e.load += stored;
-        break;
-      case EnergyKind::none:
-        break;
-    }
-  }
+  for (const auto& term : terms_) term->add_energies(all, e);
   return e;
 }
 

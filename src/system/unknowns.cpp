@@ -1,14 +1,33 @@
 #include "sundrape/system/unknowns.hpp"
 
-namespace sundrape {
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
 
-Unknowns::Unknowns(std::vector<Held> held) : held_(std::move(held)), row_of_point_(held_.size(), -1) {
-  for (std::size_t p = 0; p < held_.size(); ++p) {
-    const auto& h = held_[p];
+namespace sundrape {
+namespace {
+
+std::vector<int> ascending(std::size_t points) {
+  std::vector<int> order(points);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+}  // namespace
+
+Unknowns::Unknowns(std::vector<Held> held) : Unknowns(held, ascending(held.size())) {}
+
+Unknowns::Unknowns(std::vector<Held> held, const std::vector<int>& order)
+    : held_(std::move(held)), row_of_point_(held_.size(), -1) {
+  auto sorted = order;
+  std::ranges::sort(sorted);
+  if (sorted != ascending(held_.size())) throw std::invalid_argument("an order of points has every point once");
+  for (const int p : order) {
+    const auto& h = held_[static_cast<std::size_t>(p)];
     if (h[0] && h[1] && h[2]) continue;
     const int row = static_cast<int>(point_of_row_.size());
-    row_of_point_[p] = row;
-    point_of_row_.push_back(static_cast<int>(p));
+    row_of_point_[static_cast<std::size_t>(p)] = row;
+    point_of_row_.push_back(p);
     for (int c = 0; c < 3; ++c)
       if (h[static_cast<std::size_t>(c)]) held_components_.push_back({row, c});
   }

@@ -99,9 +99,22 @@ void expect_tangent_is_force_derivative(const ForceTerm& term, const TestState& 
   }
 }
 
+void expect_symmetric_tangent_is_symmetric_part(const ForceTerm& term, const TestState& state, double relative) {
+  TestState still = state;
+  still.v.setZero();
+  for (const auto& [dq, dv] : {std::pair{1.0, 0.0}, std::pair{0.0, 1.0}, std::pair{0.7, 0.02}}) {
+    const Eigen::MatrixXd whole = dense_tangent(term, still, dq, dv, Symmetry::unsymmetric);
+    const Eigen::MatrixXd kept = dense_tangent(term, still, dq, dv, Symmetry::symmetric);
+    const double scale = whole.cwiseAbs().maxCoeff();
+    EXPECT_LE((kept - 0.5 * (whole + whole.transpose())).cwiseAbs().maxCoeff(), relative * scale)
+        << term.name() << ", dq " << dq << ", dv " << dv;
+  }
+}
+
 void expect_consistent(const ForceTerm& term, const TestState& state, double relative) {
   if (term.kind() != EnergyKind::none) expect_force_is_energy_gradient(term, state, relative);
   expect_tangent_is_force_derivative(term, state, relative);
+  expect_symmetric_tangent_is_symmetric_part(term, state);
 }
 
 void expect_dissipates_what_it_says(const ForceTerm& term, const TestState& state, double relative) {

@@ -21,9 +21,11 @@ struct TestState {
                                             Symmetry symmetry);
 
 /// Force against central differences of the energy (where there is one), tangent against central differences of the
-/// force. `relative` bounds |difference| / |largest entry|.
+/// force, `relative` bounding |difference| / |largest entry|; and for v = 0, where no damping turns with its spring,
+/// the tangent as symmetric matrices get it against the symmetric part of the whole one.
 void expect_force_is_energy_gradient(const ForceTerm& term, const TestState& state, double relative = 1e-6);
 void expect_tangent_is_force_derivative(const ForceTerm& term, const TestState& state, double relative = 1e-6);
+void expect_symmetric_tangent_is_symmetric_part(const ForceTerm& term, const TestState& state, double relative = 1e-12);
 void expect_consistent(const ForceTerm& term, const TestState& state, double relative = 1e-6);
 
 /// Symmetric part of ∂f/∂v is negative semi-definite and v·f_damping = −dissipated power.

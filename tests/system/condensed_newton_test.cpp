@@ -1,5 +1,9 @@
 #include "sundrape/system/condensed_newton.hpp"
 
+#include <memory>
+#include <string_view>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "support/small_systems.hpp"
@@ -32,17 +36,56 @@ TEST(CondensedNewton, SolvesTheFullSystemWithDamping) {
   EXPECT_EQ(newton.counters().solves, 1);
 }
 
-TEST(CondensedNewton, LaterRightSidesOfAStepMakeDoWithFewerIterations) {
+/// Solves nothing, and keeps the tolerances that it is asked for.
+class RecordingSolver final : public LinearSolver {
+ public:
+  explicit RecordingSolver(std::vector<double>& tolerances) : tolerances_(tolerances) {}
+  [[nodiscard]] std::string_view name() const override { return "recorder"; }
+  [[nodiscard]] Symmetry symmetry() const override { return Symmetry::symmetric; }
+  void analyse(const BlockStructure& /*structure*/) override {}
+  [[nodiscard]] FactorStatus factor(const BlockMatrix& /*matrix*/) override { return FactorStatus::ok; }
+  [[nodiscard]] SolveReport solve(ConstVectorRef /*b*/, VectorRef x, double tolerance, double /*largest*/) override {
+    tolerances_.push_back(tolerance);
+    x.setZero();
+    return {};
+  }
+
+ private:
+  std::vector<double>& tolerances_;
+};
+
+TEST(CondensedNewton, LaterRightSidesOfAStepAreSolvedToTheDigitsOfItsFirst) {
   const auto system = mass_on_spring(9.8);
-  CondensedNewton newton(system, make_linear_solver(SolverKind::conjugate_gradients), 1e-6);
-  const Vector q = below(0.02).tail(3), v = Vector::Zero(3), none = Vector::Zero(3);
-  ASSERT_EQ(newton.prepare(0, 100, q, v), FactorStatus::ok);
-  const Vector r = Vector3(0.1, 0.2, -0.3);
-  Vector dq(3), dv(3);
-  ASSERT_TRUE(newton.solve(none, r, dq, dv).ok);
-  const Vector small = 1e-9 * r;
-  ASSERT_TRUE(newton.solve(none, small, dq, dv).ok);
-  EXPECT_LE(dq.norm(), 1e-6 * r.norm());
+  std::vector<double> tolerances;
+  CondensedNewton newton(system, std::make_unique<RecordingSolver>(tolerances), 1e-3);
+  const auto prepare = [&](double time, double c) {
+    ASSERT_EQ(newton.prepare(time, c, below(0.02).tail(3), Vector3::Zero()), FactorStatus::ok);
+  };
+  const Vector none = Vector3::Zero(), r = Vector3(0.1, 0.2, -0.3);
+  // the tolerance for a right side of this part of r
+  const auto tolerance = [&](double part) {
+    Vector dq(3), dv(3);
+    EXPECT_TRUE(newton.solve(none, part * r, dq, dv).ok);
+    return tolerances.back();
+  };
+
+  prepare(0, 100);
+  EXPECT_EQ(tolerance(1), 1e-3) << "the one asked for, at first";
+  EXPECT_NEAR(tolerance(0.5), 2e-3, 1e-12) << "later by how much less there is to solve";
+  EXPECT_NEAR(tolerance(-0.02), 5e-2, 1e-12);
+  EXPECT_EQ(tolerance(1e-3), 0.1) << "but never looser than this";
+  EXPECT_EQ(tolerance(7), 1e-3) << "nor stricter than asked";
+  EXPECT_EQ(tolerance(0), 1e-3);
+
+  prepare(0, 100);  // in the same step
+  EXPECT_NEAR(tolerance(0.5), 2e-3, 1e-12);
+  prepare(0, 120);  // another step, by its size
+  EXPECT_EQ(tolerance(0.5), 1e-3);
+  EXPECT_NEAR(tolerance(0.25), 2e-3, 1e-12);
+  prepare(0.01, 120);  // another, by its time
+  EXPECT_EQ(tolerance(0.25), 1e-3);
+  EXPECT_NEAR(tolerance(0.125), 2e-3, 1e-12);
+  EXPECT_EQ(tolerances.size(), 11U) << "one solve each";
 }
 
 }  // namespace

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "sundrape/force/bend_springs.hpp"
+#include "sundrape/force/director_length.hpp"
 #include "sundrape/force/obstacle_contact.hpp"
-#include "sundrape/force/stretch_springs.hpp"
 #include "sundrape/io/case.hpp"
 #include "sundrape/io/result.hpp"
+#include "sundrape/mesh/edge_strains.hpp"
 #include "sundrape/system/system.hpp"
 
 namespace sundrape {
@@ -21,16 +22,27 @@ struct CaseModel {
 
   QuadMesh mesh;
   std::unique_ptr<System> system;
-  Vector initial;                            // placed and wavy positions, 3N [m]
-  const ObstacleContact* contact = nullptr;  // owned by the system; null without obstacles
-  const StretchSprings* threads = nullptr;   // owned by the system
-  const BendSprings* bends = nullptr;        // owned by the system
+  Vector initial;  // placed and wavy positions, then directors times ℓ, 3P [m]
+  EdgeStrains edge_strains;
+  double director_length = 0;  // ℓ of a shell, whose node i has the director point N + i [m]; 0 of a particle net
+  Vector rate_slack;           // how many times larger the errors of rates may be: rows, n; empty: 1
+  const ObstacleContact* contact = nullptr;   // owned by the system; null without obstacles
+  const DirectorLength* directors = nullptr;  // owned by the system; null of a particle net
+  std::vector<const BendSprings*> bends;  // owned by the system; measured laws of warp and weft are terms of their own
   std::vector<ReactionSet> reactions;
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
   double size = 0;     // longest side of the rest shape's bounding box [m]
   double gravity = 0;  // |acceleration| [m/s²]; 9.80665 where there is no gravity
   double weight = 0;   // mass times |gravity load| [N]
+
+  [[nodiscard]] bool has_directors() const { return director_length > 0; }
+  /// The part of a vector of all points that belongs to the nodes, 3N.
+  [[nodiscard]] Vector of_nodes(const ConstVectorRef& all) const {
+    return all.head(3 * static_cast<Eigen::Index>(mesh.nodes()));
+  }
+  /// Directors, 3N [-]; empty without them.
+  [[nodiscard]] Vector directors_of(const ConstVectorRef& all) const;
 };
 
 /// @throws CaseError  what only shows with the mesh at hand: selectors that pick nothing, sets that are not there,

@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "sundrape/force/element_table.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/stripes.hpp"
+#include "sundrape/material/moment_curvature.hpp"
 
 namespace sundrape {
 
@@ -15,6 +17,7 @@ struct BendSpring {
   double skew = 0;                         // the hinge axis is (x_to − x_from) − skew (x_next − x_previous)
   double rest_angle = 0;                   // [rad]
   double stiffness = 0;                    // B w / s [N m]: bending rigidity, tributary width, length along the thread
+  double length = 0;                       // s [m], which only a law of bending needs
 };
 
 /// Bending of the particle net between consecutive edges of its thread lines.
@@ -22,11 +25,17 @@ struct BendSpring {
 /// The angle Δφ between the edges about the crossing thread is curvature times length, Δφ = s/R, and the moment is
 /// M = EI/(1 − ν²)/R (chapter (45)); each spring stores ½ (B w/s) (Δφ − Δφ₀)². The pairs of forces that the chapter
 /// writes as F_bend = M/b (44), (47) are its gradient. Kelvin–Voigt damping adds β (B w/s) dΔφ/dt.
+///
+/// With a law M = f(K) of the thread's strips, K = (Δφ − Δφ₀)/s, a spring stores (B w s/f'(0)) ∫f dK instead
+/// (BendResponse); B is then the rigidity at K = 0, and the damping stays that of B.
 class BendSprings final : public ForceTerm {
  public:
   /// @param relaxation_time  β [s], ≥ 0
-  /// @throws std::invalid_argument  β < 0, a stiffness that is not positive, or a spring that names a node twice
-  explicit BendSprings(const std::vector<BendSpring>& springs, double relaxation_time = 0);
+  /// @param law              of all these springs, up to a factor; linear if there is none
+  /// @throws std::invalid_argument  β < 0, a stiffness that is not positive, a spring that names a node twice, or one
+  ///                                with a law but without length
+  explicit BendSprings(const std::vector<BendSpring>& springs, double relaxation_time = 0,
+                       std::optional<MomentCurvature> law = std::nullopt);
 
   [[nodiscard]] std::string_view name() const override { return "bend springs"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }
@@ -40,7 +49,7 @@ class BendSprings final : public ForceTerm {
   [[nodiscard]] double largest_angle(ConstVectorRef q) const;
 
  private:
-  enum Number { skew, rest_angle, stiffness };
+  enum Number { skew, rest_angle, stiffness, length };
   struct Edges;
   [[nodiscard]] Edges edges(std::size_t first, ConstVectorRef x) const;
   /// Whether a spring lies inside a sheet of straight crossing threads, as most do.
@@ -49,8 +58,9 @@ class BendSprings final : public ForceTerm {
   [[nodiscard]] Stencil stencil(std::size_t e) const;
 
   // previous, centre, next, then the ends of the crossing chord: on a boundary one of them is the centre
-  ElementTable<5, 3> table_;
+  ElementTable<5, 4> table_;
   double relaxation_time_;
+  std::optional<MomentCurvature> law_;  // none: linear
   Stripes stripes_;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
+#include "sundrape/material/moment_curvature.hpp"
 
 namespace sundrape {
 
@@ -11,17 +13,21 @@ struct ClampSpring {
   Vector3 direction;     // the slope that the clamp holds, along the thread [-]
   Vector3 axis;          // hinge axis, in the sheet and across the thread [-]
   double stiffness = 0;  // B w / (b/2) [N m]
+  double length = 0;     // b/2 [m], which only a law of bending needs
 };
 
 /// Clamped edges of the particle net hold the slope.
 ///
 /// An edge of length b has the slope of the thread at its middle, b/2 from the clamp, so the angle φ between clamp and
 /// edge stores ½ (B w/(b/2)) φ². With it the moment- and tip-loaded cantilevers converge with second order.
+/// With a law M = f(K), K = φ/(b/2), it stores (B w (b/2)/f'(0)) ∫f dK instead (BendResponse).
 class ClampSprings final : public ForceTerm {
  public:
   /// @param relaxation_time  β [s], ≥ 0
-  /// @throws std::invalid_argument  β < 0, or a stiffness that is not positive
-  explicit ClampSprings(std::vector<ClampSpring> springs, double relaxation_time = 0);
+  /// @param law              of all these springs, up to a factor; linear if there is none
+  /// @throws std::invalid_argument  β < 0, a stiffness that is not positive, or a law and a spring without length
+  explicit ClampSprings(std::vector<ClampSpring> springs, double relaxation_time = 0,
+                        std::optional<MomentCurvature> law = std::nullopt);
 
   [[nodiscard]] std::string_view name() const override { return "clamped edges"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }
@@ -34,6 +40,7 @@ class ClampSprings final : public ForceTerm {
  private:
   std::vector<ClampSpring> springs_;
   double relaxation_time_;
+  std::optional<MomentCurvature> law_;  // none: linear
 };
 
 }  // namespace sundrape

@@ -1,6 +1,7 @@
 #pragma once
 #include <string_view>
 
+#include "sundrape/force/energies.hpp"
 #include "sundrape/linalg/block_matrix.hpp"
 #include "sundrape/types.hpp"
 
@@ -24,6 +25,8 @@ class ForceTerm {
 
   /// Stored energy [J]; 0 for a term that has none.
   [[nodiscard]] virtual double energy(const State& state) const = 0;
+  /// Adds it under its heading; a term with energies of several kinds overrides this.
+  virtual void add_energies(const State& state, Energies& energies) const;
   /// Power that the term turns into heat [W], ≥ 0.
   [[nodiscard]] virtual double dissipated_power(const State& /*state*/) const { return 0; }
   /// Power from outside that the term's energy does not account for [W]: follower loads, loads on a ramp.
@@ -33,6 +36,8 @@ class ForceTerm {
   virtual void add_force(const State& state, VectorRef f) const = 0;
   /// Adds dq · ∂f/∂q + dv · ∂f/∂v, element by element as declared.
   virtual void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const = 0;
+  /// Whether ∂f/∂q is symmetric where rates vanish: else only a solver for unsymmetric matrices gets it whole.
+  [[nodiscard]] virtual bool has_symmetric_tangent() const { return true; }
   /// Declares the term's elements: one begin_term, then one add_element each.
   virtual void declare_pattern(Pattern& pattern) const = 0;
 };

@@ -18,6 +18,7 @@ class Pressure final : public ForceTerm {
   [[nodiscard]] std::string_view name() const override { return "pressure"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::none; }
   [[nodiscard]] bool is_external() const override { return true; }
+  [[nodiscard]] bool has_symmetric_tangent() const override { return false; }
   [[nodiscard]] double energy(const State& /*state*/) const override { return 0; }
   [[nodiscard]] double external_power(const State& state) const override;
   void add_force(const State& state, VectorRef f) const override;

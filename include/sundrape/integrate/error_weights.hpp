@@ -9,9 +9,10 @@ namespace sundrape {
 /// rtol |v| + atol_velocity, v being its point's rate: independent of where the origin is and how the axes are turned.
 struct ErrorWeights {
   double rtol;
-  double atol_position;  // [m]
-  double atol_velocity;  // [m/s]
-  Vector start;          // rows, 3n: coordinates when the integrator was first started
+  double atol_position;    // [m]
+  double atol_velocity;    // [m/s]
+  Vector start;            // rows, 3n: coordinates when the integrator was first started
+  Vector rate_slack = {};  // rows, n: how many times larger the errors of rates may be; empty: 1
 
   /// weights (6n, reciprocal allowed errors) of y = (q, v) (6n).
   void evaluate(ConstVectorRef y, VectorRef weights) const;

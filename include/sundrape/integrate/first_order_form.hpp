@@ -15,7 +15,7 @@ class FirstOrderForm {
 
   /// forces over the unknowns (3n) [N]; false if the result is not finite.
   bool forces(double time, ConstVectorRef y, VectorRef f);
-  /// ẏ (6n); false if the result is not finite.
+  /// ẏ (6n), the acceleration of points without mass being given as 0; false if the result is not finite.
   bool rates(double time, ConstVectorRef y, VectorRef y_dot);
   /// Values of the events at y.
   void events(double time, ConstVectorRef y, const EventSource& source, std::span<double> values);

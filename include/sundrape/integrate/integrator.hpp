@@ -19,6 +19,7 @@ struct IntegratorOptions {
   double rtol = 1e-4;
   double atol_position = 0;  // [m]
   double atol_velocity = 0;  // [m/s]
+  Vector rate_slack = {};    // rows, n: how many times larger the errors of rates may be; empty: 1
   int max_order = 2;
   std::optional<double> first_step{}, max_step{};  // [s]
   double fixed_step = 0;                           // [s], Runge–Kutta only

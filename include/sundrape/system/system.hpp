@@ -7,21 +7,13 @@
 
 namespace sundrape {
 
-/// Energies by kind [J].
-struct Energies {
-  double kinetic = 0, membrane = 0, shear = 0, bending = 0, gravity = 0, contact = 0, load = 0;
-
-  [[nodiscard]] double stored() const { return membrane + shear + bending + gravity + contact + load; }
-  [[nodiscard]] double total() const { return kinetic + stored(); }
-};
-
 /// The semidiscrete system  M a = Σ f_k(q, v, t)  of one cloth: masses, force terms, supports, sparsity.
 ///
 /// Integrators and statics see only this class. Vectors named "all" hold every point (3P); vectors of "rows" hold the
 /// unknowns (3n). The mass matrix is lumped.
 class System {
  public:
-  /// @param mass   P [kg], > 0
+  /// @param mass   P [kg], ≥ 0; the rates of points without mass are algebraic unknowns
   /// @param terms  owned
   /// @param rest   coordinates of the held points, 3P [m] (the other entries are not read)
   System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest);
@@ -29,6 +21,10 @@ class System {
   [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
   [[nodiscard]] const Vector& mass() const { return mass_; }          // P [kg]
   [[nodiscard]] const Vector& row_mass() const { return row_mass_; }  // n [kg]
+  /// Whether an unknown has no mass, so that only a solver of differential-algebraic equations takes the system.
+  [[nodiscard]] bool has_massless_rows() const { return row_mass_.size() > 0 && row_mass_.minCoeff() == 0; }
+  /// Whether ∂f/∂q is symmetric without damping.
+  [[nodiscard]] bool has_symmetric_tangent() const;
   [[nodiscard]] const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
   [[nodiscard]] const BlockStructure& structure() const { return structure_; }
 

@@ -18,6 +18,10 @@ class Unknowns {
   };
 
   explicit Unknowns(std::vector<Held> held);  // one entry a point
+  /// @param order  the points in the order in which they get their rows, P: near ones next to each other keep
+  ///               incomplete factors good
+  /// @throws std::invalid_argument  an order that does not have every point once
+  Unknowns(std::vector<Held> held, const std::vector<int>& order);
 
   [[nodiscard]] int points() const { return static_cast<int>(held_.size()); }
   [[nodiscard]] int rows() const { return static_cast<int>(point_of_row_.size()); }  // points that are unknown

@@ -1,0 +1,114 @@
+#include "sheet.hpp"
+
+#include <numeric>
+
+#include <Eigen/Geometry>
+
+#include "sundrape/force/director_length.hpp"
+#include "sundrape/force/director_moment.hpp"
+#include "sundrape/force/edge_moment.hpp"
+#include "sundrape/force/particle_net.hpp"
+#include "sundrape/force/shell.hpp"
+#include "sundrape/mesh/directors.hpp"
+
+namespace sundrape {
+namespace {
+
+MembraneField membrane_field(ShellMembrane membrane) {
+  switch (membrane) {
+    case ShellMembrane::bilinear:
+      return MembraneField::bilinear;
+    case ShellMembrane::edge_tied:
+      return MembraneField::edge_tied;
+    case ShellMembrane::mixed:
+      return MembraneField::mixed;
+    case ShellMembrane::centre:
+      break;
+  }
+  return MembraneField::centre;
+}
+
+ShellSection section_of(const Case& c) {
+  const auto& damping = c.fabric.damping;
+  return {.membrane = membrane_stiffness(c.fabric),
+          .shear = c.shell.shear_correction * c.fabric.transverse_shear,
+          .bending = plate_bending(c.fabric),
+          .membrane_damping = damping.membrane,
+          .bending_damping = damping.bending};
+}
+
+/// Whether directors have rotary inertia in this case.
+bool has_inertia(const Case& c) {
+  if (c.analysis != Analysis::dynamics) return false;  // where motion is fictitious
+  return c.shell.director != ShellDirector::massless;
+}
+
+/// Positions and directors of a node next to each other.
+std::vector<int> interleaved(int nodes) {
+  std::vector<int> order;
+  order.reserve(2 * static_cast<std::size_t>(nodes));
+  for (int i = 0; i < nodes; ++i) order.insert(order.end(), {i, nodes + i});
+  return order;
+}
+
+}  // namespace
+
+Sheet net_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, const std::vector<Vector3>& placed,
+                const Supports& supports) {
+  Sheet sheet;
+  sheet.mass = lumped_mass(mesh, c.fabric);
+  sheet.terms = particle_net(mesh, threads, c.fabric, placed, supports.clamped);
+  sheet.held = supports.position;
+  sheet.order.resize(sheet.held.size());
+  std::iota(sheet.order.begin(), sheet.order.end(), 0);
+  return sheet;
+}
+
+Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports) {
+  const auto& fabric = c.fabric;
+  const int n = mesh.nodes();
+  Sheet sheet;
+  sheet.director_length = mean_edge_length(mesh);
+  const auto directors = rest_directors(mesh);
+  const Vector node_mass = lumped_mass(mesh, fabric);
+  const double radius2 = fabric.thickness * fabric.thickness / 12, l2 = sheet.director_length * sheet.director_length;
+  const double inertia = has_inertia(c) ? c.shell.rotary_inertia * radius2 / l2 : 0;  // per mass: ρ h³/12 over ρ h ℓ²
+  sheet.mass.resize(2 * n);
+  sheet.mass << node_mass, inertia * node_mass;
+  sheet.held = supports.position;
+  sheet.held.insert(sheet.held.end(), supports.director.begin(), supports.director.end());
+  sheet.order = interleaved(n);
+
+  const auto section = section_of(c);
+  const auto measure = c.shell.bending == ShellBending::geodesic ? CurvatureMeasure::geodesic : CurvatureMeasure::chord;
+  sheet.terms.push_back(
+      std::make_unique<Shell>(shell_elements(mesh, directors, c.shell.hourglass_factor.value_or(-1)), section,
+                              ShellOptions{membrane_field(c.shell.membrane), measure, sheet.director_length}));
+  const double modulus = std::sqrt(fabric.warp_membrane * fabric.weft_membrane);
+  const auto areas = tributary_areas(mesh);
+  std::vector<DirectorSpring> springs;
+  for (int i = 0; i < n; ++i) springs.push_back({n + i, modulus * areas[static_cast<std::size_t>(i)]});
+  sheet.terms.push_back(
+      std::make_unique<DirectorLength>(std::move(springs), sheet.director_length, fabric.damping.membrane));
+
+  const Eigen::AngleAxisd turn(c.cloth.place.angle, c.cloth.place.axis.normalized());
+  for (const auto& t : directors) sheet.directors.emplace_back(turn * t);
+  return sheet;
+}
+
+std::unique_ptr<ForceTerm> moment_load(const Sheet& sheet, const QuadMesh& mesh, const Threads& threads,
+                                       const std::vector<int>& nodes, const Vector3& total, Ramp ramp) {
+  if (sheet.director_length == 0)
+    return std::make_unique<EdgeMoment>(moment_on_edge(mesh, threads, nodes, total), ramp);
+  const auto lengths = tributary_edge_lengths(mesh, nodes);
+  const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  std::vector<LoadedDirector> loaded;
+  for (const int i : nodes) {
+    const double share =
+        whole > 0 ? lengths[static_cast<std::size_t>(i)] / whole : 1 / static_cast<double>(nodes.size());
+    if (share > 0) loaded.push_back({mesh.nodes() + i, share * total});
+  }
+  return std::make_unique<DirectorMoment>(std::move(loaded), ramp);
+}
+
+}  // namespace sundrape

@@ -1,0 +1,42 @@
+#include "sundrape/force/director_moment.hpp"
+
+#include <array>
+
+#include <Eigen/Geometry>
+
+namespace sundrape {
+namespace {
+
+Vector3 couple(const Vector3& moment, const Vector3& t) { return moment.cross(t) / t.squaredNorm(); }
+
+}  // namespace
+
+DirectorMoment::DirectorMoment(std::vector<LoadedDirector> directors, Ramp ramp)
+    : directors_(std::move(directors)), ramp_(ramp) {}
+
+double DirectorMoment::external_power(const State& state) const {
+  double power = 0;
+  for (const auto& l : directors_) power += couple(l.moment, point(state.q, l.point)).dot(point(state.v, l.point));
+  return ramp_.at(state.time) * power;
+}
+
+void DirectorMoment::add_force(const State& state, VectorRef f) const {
+  const double share = ramp_.at(state.time);
+  for (const auto& l : directors_) point(f, l.point) += share * couple(l.moment, point(state.q, l.point));
+}
+
+void DirectorMoment::add_tangent(const State& state, double dq, double /*dv*/, Assembler& tangent) const {
+  const double share = dq * ramp_.at(state.time);
+  for (std::size_t k = 0; k < directors_.size(); ++k) {
+    const Vector3 t = point(state.q, directors_[k].point), m = share * directors_[k].moment;
+    const double square = t.squaredNorm();
+    tangent.add_diagonal(k, 0, cross_matrix(m) / square - 2 * m.cross(t) * t.transpose() / (square * square));
+  }
+}
+
+void DirectorMoment::declare_pattern(Pattern& pattern) const {
+  pattern.begin_term(1);
+  for (const auto& l : directors_) pattern.add_element(std::array{l.point});
+}
+
+}  // namespace sundrape
