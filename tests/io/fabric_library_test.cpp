@@ -79,7 +79,7 @@ TEST_F(FabricLibrary, HasTheFabricsOfThePapers) {
 }
 
 TEST_F(FabricLibrary, HasThePolynomialOfTheTwill) {
-  const Fabric f = fabric("fabric = \"cotton-twill-polynomial\"", {"model=shell"});
+  const Fabric f = fabric("fabric = \"cotton-twill-polynomial\"");
   ASSERT_TRUE(f.measured_bending.has_value());
   EXPECT_NEAR(f.measured_bending->warp.at(100.0).moment, 0.56232 * gf, 1e-12);  // the sum of its coefficients
   EXPECT_DOUBLE_EQ(f.measured_bending->warp.max_curvature(), 250);
