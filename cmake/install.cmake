@@ -8,7 +8,9 @@ if(TARGET sundrape)
   install(TARGETS sundrape)
 endif()
 install(DIRECTORY include/sundrape TYPE INCLUDE)
-install(DIRECTORY cases DESTINATION ${data_folder} FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj" PATTERN "*.md")
+install(DIRECTORY cases DESTINATION ${data_folder}
+        FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj" PATTERN "*.md" PATTERN "fabrics" EXCLUDE)
+install(DIRECTORY cases/fabrics DESTINATION ${data_folder} FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY postproc DESTINATION ${data_folder}
         PATTERN "tests" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "*.egg-info" EXCLUDE PATTERN ".*" EXCLUDE)
 install(FILES LICENSE CHANGELOG.md CITATION.cff docs/dependencies.md TYPE DOC)

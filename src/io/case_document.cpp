@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "sundrape/io/case_error.hpp"
+
+#include "case_fabric.hpp"
 
 namespace sundrape {
 namespace {
@@ -131,7 +134,9 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
 toml::table parse_document(std::string_view text, const std::string& file, const std::vector<std::string>& sets) {
   toml::table root = parse_toml(text, file);
   unwrap_single_cloth(root);
+  const bool had_fabric = names_fabric(root);
   for (const auto& set : sets) Setting(set).apply(root);
+  include_fabric(root, std::filesystem::path(file).parent_path(), had_fabric);
   return root;
 }
 

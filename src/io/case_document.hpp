@@ -9,10 +9,11 @@
 
 namespace sundrape {
 
-/// Parses a case and puts the settings KEY.PATH=VALUE of the command line into it.
+/// Parses a case, puts the settings KEY.PATH=VALUE of the command line into it, and then the values of the fabric that
+/// it names.
 ///
-/// Every node and key keeps where it comes from: the file's line, or the setting's own text.
-/// @throws CaseError  TOML syntax, a malformed setting or one whose path leads nowhere
+/// Every node and key keeps where it comes from: the file's or the fabric's line, or the setting's own text.
+/// @throws CaseError  TOML syntax, a malformed setting or one whose path leads nowhere, no such fabric
 [[nodiscard]] toml::table parse_document(std::string_view text, const std::string& file,
                                          const std::vector<std::string>& sets);
 

@@ -17,6 +17,16 @@ Section material() {
           "`weft_modulus` and `shear_modulus` together.",
       .keys =
           {
+              {.name = "fabric",
+               .type = KeyType::text,
+               .default_note = "none",
+               .doc =
+                   "A fabric of the [library](fabrics.md) by its name, or a `.toml` file with the keys of a material, "
+                   "relative to the case; keys beside it replace its own."},
+              {.name = "title",
+               .type = KeyType::text,
+               .default_note = "the fabric's name",
+               .doc = "A line for people."},
               {.name = "thickness", .unit = "m", .range = positive(), .required = true, .doc = "h."},
               {.name = "weight",
                .unit = "N/m^2",
@@ -75,7 +85,7 @@ Section bending() {
                .type = KeyType::choice,
                .choices = {"linear", "polynomial"},
                .default_value = "\"linear\"",
-               .doc = "Moment over curvature of a strip; a polynomial with `model = \"shell\"` only."},
+               .doc = "Moment over curvature of a strip."},
               {.name = "rigidity",
                .unit = "N m",
                .entries = 2,
@@ -122,10 +132,10 @@ Section bending() {
                .choices = {"energy", "paper"},
                .default_value = "\"energy\"",
                .kinds = {"polynomial"},
-               .doc =
-                   "From strips to the sheet. `energy`: symmetric, and where warp and weft are alike bending follows "
-                   "the same law in every direction. `paper`: equations (32)–(34) in orthonormal warp–weft axes; "
-                   "unsymmetric for ν ≠ 0, to be solved by LU."},
+               .doc = "From strips to the sheet of a shell. `energy`: symmetric, and where warp and weft are alike "
+                      "bending follows the same law in every direction. `paper`: equations (32)–(34) in orthonormal "
+                      "warp–weft axes; "
+                      "unsymmetric for ν ≠ 0, to be solved by LU."},
           },
   };
 }

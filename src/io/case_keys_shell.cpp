@@ -23,12 +23,14 @@ std::vector<Section> shell_keys() {
               {.name = "hourglass_factor",
                .range = above_to(0, 10),
                .default_note = "0.1, and 1 in elements that span the sheet from edge to edge",
-               .doc = "Stiffness of the hourglass modes of `membrane = \"centre\"`, over that of plain integration."},
+               .doc = "Stiffness of the hourglass modes of `membrane = \"centre\"`; with 1 an element bends in its "
+                      "plane like a beam."},
               {.name = "bending",
                .type = KeyType::choice,
                .choices = choices::bending.list(),
                .default_value = "\"geodesic\"",
-               .doc = "Directors between nodes: along great circles, or interpolated like positions."},
+               .doc = "Curvature of a turn Δ of the director over the length a: Δ/a, exact for circles (`geodesic`), "
+                      "or the chapter's (17), 2 sin(Δ/2)/a (`bilinear`)."},
               {.name = "shear_correction",
                .range = above_to(0, 10),
                .default_value = "0.8333333333333334",
@@ -37,7 +39,8 @@ std::vector<Section> shell_keys() {
                .type = KeyType::choice,
                .choices = choices::director.list(),
                .default_value = "\"auto\"",
-               .doc = "With rotary inertia (`inertia`) the motion is an ODE for any integrator; `massless` directors "
+               .doc = "With rotary inertia (`inertia`, and `auto`) the motion is an ODE for any integrator; `massless` "
+                      "directors "
                       "make it a DAE, for `integrator = \"ida\"` with bending damping."},
               {.name = "rotary_inertia",
                .range = above_to(0, 1000),

@@ -53,7 +53,9 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.model = choices::model.value(top.text("model"));
   resolved.analysis = top.text("analysis") == "dynamics" ? Analysis::dynamics : Analysis::relaxation;
   resolved.cloth = resolve_cloth(cloth_section(top, root), file.parent_path());
-  resolved.fabric = resolve_fabric(top.table("material"));
+  const CaseSection material = top.table("material");
+  if (material.has("title")) resolved.fabric_title = material.text("title");
+  resolved.fabric = resolve_fabric(material);
   resolved.shell = resolve_shell(top.table("shell"));
   require_shell_model(top, resolved);
   resolved.fixes = resolve_fixes(top.tables("fix"), resolved.model);

@@ -75,9 +75,10 @@ void describe_net(CaseDescription& out, const Fabric::Net& net) {
   out.number("diagonal_compression_factor", net.diagonal_compression_factor);
 }
 
-void describe_fabric(CaseDescription& out, const Fabric& fabric, Model model) {
+void describe_fabric(CaseDescription& out, const std::string& title, const Fabric& fabric, Model model) {
   out.heading("the fabric");
   out.enter("material", "material");
+  if (!title.empty()) out.text("title", title);
   out.number("thickness", fabric.thickness);
   out.number("density_area", fabric.area_density);
   out.number("poisson", fabric.poisson);
@@ -275,7 +276,7 @@ std::string describe(const Case& resolved) {
   out.text("model", choices::model.name(resolved.model));
   out.text("analysis", resolved.analysis == Analysis::dynamics ? "dynamics" : "relaxation");
   describe_cloth(out, resolved.cloth);
-  describe_fabric(out, resolved.fabric, resolved.model);
+  describe_fabric(out, resolved.fabric_title, resolved.fabric, resolved.model);
   if (resolved.model == Model::shell) describe_shell(out, resolved.shell);
   if (!resolved.fixes.empty()) out.heading("supports");
   for (std::size_t i = 0; i < resolved.fixes.size(); ++i) describe_fix(out, resolved.fixes[i], i);

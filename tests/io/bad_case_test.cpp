@@ -106,8 +106,6 @@ const std::vector<Slip> slips{
     {"ModulusTwice", "poisson", "warp_modulus = 1e6\npoisson", 15, "material.warp_modulus", "give either, not both"},
     {"HalfOrthotropic", "youngs_modulus", "warp_modulus", 11, "material.weft_modulus",
      "missing: an orthotropic fabric needs"},
-    {"PolynomialOfAParticleNet", "poisson", polynomial("[1, 2]"), 15, "material.bending.law",
-     "the particle net bends linearly: \"polynomial\" needs model = \"shell\""},
     {"FallingPolynomial", "poisson", polynomial("[1, -0.26]"), 15, "material.bending.coefficients",
      "does not grow all the way to its largest curvature"},
     {"FallingPolynomialOfTheWeft", "poisson", polynomial("[[1, 1], [1, -0.26]]"), 15, "material.bending.coefficients",

@@ -16,7 +16,11 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/consumer -
 run(${CMAKE_COMMAND} --build ${work}/consumer)
 run(${work}/consumer/consumer)
 run(${work}/moved/bin/sundrape --version)
-foreach(file share/sundrape/cases/tablecloth.toml share/sundrape/postproc/sundrape_postproc/__main__.py)
+# fabrics are found from the executable: this one is nowhere else
+file(COPY_FILE ${work}/moved/share/sundrape/fabrics/cotton-twill.toml ${work}/moved/share/sundrape/fabrics/trial.toml)
+run(${work}/moved/bin/sundrape check ${work}/moved/share/sundrape/cases/swing.toml --set material.fabric=trial)
+foreach(file share/sundrape/cases/tablecloth.toml share/sundrape/fabrics/cotton-twill.toml
+             share/sundrape/postproc/sundrape_postproc/__main__.py)
   if(NOT EXISTS ${work}/moved/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()

@@ -212,6 +212,7 @@ struct Case {
   ShellCase shell;
   Analysis analysis = Analysis::dynamics;
   ClothCase cloth;
+  std::string fabric_title;  // empty where the case does not say
   Fabric fabric;
   std::vector<FixCase> fixes;
   std::vector<LoadCase> loads;
