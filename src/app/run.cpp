@@ -54,7 +54,7 @@ void report_extremes(const Case& c, Recorder& recorder) {
   recorder.statistic("smallest_edge_strain", e.smallest_edge_strain, "of a thread segment, " + of_frames);
   recorder.statistic("deepest_penetration_m", e.deepest_penetration, "of a contact point into an obstacle, " + when);
   recorder.statistic("sharpest_bend_deg", e.sharpest_bend * 180 / std::numbers::pi,
-                     "turn of a thread from one edge to the next, " + of_frames);
+                     "turn of a thread from one edge to the next, or of a director along an edge, " + of_frames);
   if (e.deepest_penetration > c.contact.penetration)
     recorder.warn(fmt::format(
         "the cloth sank {:.3g} mm into an obstacle, more than the {:.3g} mm allowed: raise contact.stiffness",

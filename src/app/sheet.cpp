@@ -82,9 +82,10 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
 
   const auto section = section_of(c);
   const auto measure = c.shell.bending == ShellBending::geodesic ? CurvatureMeasure::geodesic : CurvatureMeasure::chord;
-  sheet.terms.push_back(
-      std::make_unique<Shell>(shell_elements(mesh, directors, c.shell.hourglass_factor.value_or(-1)), section,
-                              ShellOptions{membrane_field(c.shell.membrane), measure, sheet.director_length}));
+  const ShellOptions options{membrane_field(c.shell.membrane), measure, sheet.director_length};
+  const auto elements = shell_elements(mesh, directors, c.shell.hourglass_factor.value_or(-1));
+  sheet.terms.push_back(std::make_unique<Shell>(elements, section, options));
+  sheet.gauges.emplace(elements, section, options);
   const double modulus = std::sqrt(fabric.warp_membrane * fabric.weft_membrane);
   const auto areas = tributary_areas(mesh);
   std::vector<DirectorSpring> springs;
