@@ -70,7 +70,8 @@ Recorder::Restart read_restart(const ResultReader& earlier, const std::filesyste
   r.extremes = {.largest_edge_strain = extremes.at(0),
                 .smallest_edge_strain = extremes.at(1),
                 .deepest_penetration = extremes.at(2),
-                .sharpest_bend = extremes.at(3)};
+                .sharpest_bend = extremes.at(3),
+                .largest_membrane_strain = extremes.at(4)};
   return r;
 }
 
@@ -170,7 +171,12 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
     f.contact_force = model_.of_nodes(contact_force);
     f.penetration = model_.contact->report(all).deepest_penetration;
   }
-  if (header_.element_fields) f.elements = fields_of(model_.gauges->read(all.q));
+  if (model_.gauges) {
+    const auto readings = model_.gauges->read(all.q);
+    extremes_.largest_membrane_strain =
+        std::max(extremes_.largest_membrane_strain, largest_principal_strain(readings.membrane_strain));
+    if (header_.element_fields) f.elements = fields_of(readings);
+  }
   for (const auto& set : model_.reactions) {
     const auto [force, moment] = reaction(model_, all, set.nodes);
     f.reactions.push_back(force);
@@ -207,7 +213,9 @@ void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance,
               {"v", as_list(all.v)},
               {"books", {balance.dissipated, balance.external_work, initial_energy, step_size}},
               {"totals", totals},
-              {"extremes", {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend}},
+              {"extremes",
+               {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend,
+                e.largest_membrane_strain}},
               {"run_seconds", {clock_.wall(), clock_.cpu()}}};
   writer_.write_checkpoint(c);
 }

@@ -16,6 +16,15 @@ double geodesic_factor(double half_chord) {
 
 }  // namespace
 
+double largest_principal_strain(const ShellReadings::Rows3& strains) {
+  double largest = 0;
+  for (Eigen::Index e = 0; e < strains.rows(); ++e) {
+    const double mean = 0.5 * (strains(e, 0) + strains(e, 1)), half = 0.5 * (strains(e, 0) - strains(e, 1));
+    largest = std::max(largest, mean + std::hypot(half, 0.5 * strains(e, 2)));
+  }
+  return largest;
+}
+
 /// Covariant measures at the centre.
 struct ShellGauges::Gauge {
   Vector3 metric;         // ½|x,ξ|², ½|x,η|², x,ξ·x,η

@@ -21,6 +21,11 @@ void require_shell_model(const CaseSection& top, const Case& resolved) {
   if (top.has("shell")) top.fail("shell", "belongs to model = \"shell\", not to \"particle\"");
 }
 
+void require_scheme_of_shell(const CaseSection& top, const Case& resolved) {
+  if (resolved.model == Model::shell && resolved.relaxation.scheme == "chapter")
+    top.table("relaxation").fail("scheme", "\"chapter\" moves the nodes of a particle net; a shell needs \"implicit\"");
+}
+
 void require_damping_of_massless_directors(const CaseSection& top, const Case& resolved) {
   if (resolved.model != Model::shell || resolved.analysis != Analysis::dynamics ||
       resolved.shell.director != ShellDirector::massless)

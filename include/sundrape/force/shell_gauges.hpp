@@ -18,6 +18,9 @@ struct ShellReadings {
   Rows3 moment;           // m₁₁, m₂₂, m₁₂ [N]
 };
 
+/// Largest principal strain of all rows (ε₁₁, ε₂₂, 2ε₁₂), 0 if none is positive.
+[[nodiscard]] double largest_principal_strain(const ShellReadings::Rows3& strains);
+
 /// Reads a shell's deformation as strain gauges would: formulas (3)–(5) and (8)–(10) written out at the centre of each
 /// element, apart from the arithmetic that integrates forces. Stresses are without their viscous part.
 class ShellGauges {
