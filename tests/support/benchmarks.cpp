@@ -49,9 +49,14 @@ Benchmark benchmark(const std::string& case_name, const std::vector<std::string>
 std::string cells_along(int n) { return fmt::format("cloth.cells=[{},1]", n); }
 
 Equilibrium equilibrium(const Benchmark& b, double tolerance) {
-  Equilibrium e{b.model.initial, {}};
+  return equilibrium_from(b.model.initial, b, tolerance);
+}
+
+Equilibrium equilibrium_from(const Vector& start, const Benchmark& b, double tolerance) {
+  Equilibrium e{start, {}};
   Silent silent;
-  const auto solver = make_linear_solver(SolverKind::cholesky);
+  const bool symmetric = b.model.system->has_symmetric_tangent();
+  const auto solver = make_linear_solver(symmetric ? SolverKind::cholesky : SolverKind::lu);
   auto options = relaxation_options(b.model.size, b.model.gravity);
   options.tolerance = tolerance;
   options.first_step = b.c.relaxation.first_step.value_or(options.first_step);
@@ -130,6 +135,18 @@ double tip_rotation(const std::vector<Vector3>& line, double tip_curvature) {
   const double last = angles.back(), turn = last - angles[angles.size() - 2];
   const double length = (line.back() - line[line.size() - 2]).norm();
   return last + (turn + 3 * length * tip_curvature) / 8;
+}
+
+std::vector<double> director_angles(const CaseModel& model, const Vector& all) {
+  std::vector<double> angles;
+  double before = 0;
+  for (const auto& column : columns(model.mesh)) {
+    Vector3 sum = Vector3::Zero();
+    for (const int i : column) sum += point(all, model.mesh.nodes() + i);
+    before += std::remainder(std::atan2(-sum.x(), sum.z()) - before, 2 * std::numbers::pi);
+    angles.push_back(before);
+  }
+  return angles;
 }
 
 double observed_order(double coarse_error, double fine_error, double refinement) {
