@@ -12,7 +12,7 @@ using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 /// A configuration and its rate at one instant.
 ///
 /// Shapes: q and v hold one 3-vector a point, 3P in all; point i owns entries 3i, 3i+1, 3i+2.
-/// The points of a particle net are its nodes.
+/// The points of a particle net are its nodes; a shell has its nodes, then a director of length ℓ for each.
 struct State {
   double time;       // [s]
   ConstVectorRef q;  // coordinates [m]

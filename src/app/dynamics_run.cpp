@@ -5,49 +5,15 @@
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/interrupt.hpp"
-#include "sundrape/integrate/default_tolerances.hpp"
+#include "sundrape/app/solver_choice.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/integrate/impact.hpp"
 #include "sundrape/integrate/stability_limit.hpp"
-#include "sundrape/linalg/block_incomplete_cholesky.hpp"
-#include "sundrape/linalg/conjugate_gradients.hpp"
 
 namespace sundrape {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-SolverKind solver_kind(const Case& c) {
-  const auto& name = c.dynamics.linear_solver;
-  if (name == "cholesky") return SolverKind::cholesky;
-  if (name == "lu") return SolverKind::lu;
-  // "auto": the symmetric part is good enough for the little that a pressure turns, not for moments without an energy
-  if (name == "auto" && c.model == Model::shell && !plate_bending(c.fabric).is_symmetric()) return SolverKind::lu;
-  return SolverKind::conjugate_gradients;  // wins at every size while mass matters; "auto"
-}
-
-std::unique_ptr<LinearSolver> linear_solver(const Case& c) {
-  const auto kind = solver_kind(c);
-  // The modified factorisation suits a net's springs; with a shell it breaks down at nearly every matrix and needs
-  // shifts that take nine tenths of its use away.
-  if (kind == SolverKind::conjugate_gradients && c.model == Model::shell)
-    return std::make_unique<ConjugateGradients>(std::make_unique<BlockIncompleteCholesky>(0.0));
-  return make_linear_solver(kind);
-}
-
-IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
-  const auto& d = c.dynamics;
-  IntegratorOptions o;
-  o.rtol = d.rtol;
-  const auto defaults = default_tolerances(d.rtol, model.size, model.gravity);
-  o.atol_position = d.atol_position.value_or(defaults.position);
-  o.atol_velocity = d.atol_velocity.value_or(defaults.velocity);
-  o.rate_slack = model.rate_slack;
-  o.max_order = d.max_order;
-  o.first_step = d.first_step;
-  o.max_step = d.max_step;
-  return o;
-}
 
 std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& model, EventSource* events,
                                             Recorder& recorder, Progress& progress) {
@@ -72,7 +38,7 @@ std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& mode
                       options.fixed_step, limit.step));
     return make_rk4(*model.system, options, events);
   }
-  auto solver = linear_solver(c);
+  auto solver = dynamics_solver(c);
   if (d.integrator == IntegratorKind::ida) return make_ida(*model.system, std::move(solver), options, events);
   return make_cvode(*model.system, std::move(solver), options, events);
 }

@@ -5,6 +5,7 @@
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/interrupt.hpp"
+#include "sundrape/app/solver_choice.hpp"
 #include "sundrape/statics/chapter_relaxation.hpp"
 #include "sundrape/statics/relaxation.hpp"
 #include "sundrape/statics/stability.hpp"
@@ -14,13 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr int frame_every = 5;  // iterations
-
-SolverKind solver_kind(const Case& c, const System& system) {
-  if (c.relaxation.linear_solver == "lu") return SolverKind::lu;
-  if (c.relaxation.linear_solver == "cg") return SolverKind::conjugate_gradients;
-  if (c.relaxation.linear_solver == "cholesky") return SolverKind::cholesky;
-  return system.has_symmetric_tangent() ? SolverKind::cholesky : SolverKind::lu;  // "auto"
-}
 
 /// Loads without a potential do no work that a fictitious motion could account for; what dead loads did is exact.
 EnergyAudit::Balance balance_of(const System& system, const State& all, double initial_load) {
@@ -155,7 +149,7 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
                        "|out-of-balance force| / |external force| there");
     result = found;
   } else {
-    const auto solver = make_linear_solver(solver_kind(c, system));
+    const auto solver = statics_solver(c, system);
     options.tolerance = c.relaxation.tolerance;
     options.max_iterations = c.relaxation.max_iterations.value_or(options.max_iterations);
     options.first_step = first_step;

@@ -8,11 +8,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sundrape/integrate/default_tolerances.hpp"
+#include "sundrape/app/solver_choice.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/io/case_reader.hpp"
-#include "sundrape/linalg/block_incomplete_cholesky.hpp"
-#include "sundrape/linalg/conjugate_gradients.hpp"
 
 namespace sundrape {
 namespace {
@@ -51,10 +49,13 @@ Benchmark benchmark(const std::string& case_name, const std::vector<std::string>
 std::string cells_along(int n) { return fmt::format("cloth.cells=[{},1]", n); }
 
 Equilibrium equilibrium(const Benchmark& b, double tolerance) {
-  Equilibrium e{b.model.initial, {}};
+  return equilibrium_from(b.model.initial, b, tolerance);
+}
+
+Equilibrium equilibrium_from(const Vector& start, const Benchmark& b, double tolerance) {
+  Equilibrium e{start, {}};
   Silent silent;
-  const auto solver =
-      make_linear_solver(b.model.system->has_symmetric_tangent() ? SolverKind::cholesky : SolverKind::lu);
+  const auto solver = statics_solver(b.c, *b.model.system);
   auto options = relaxation_options(b.model.size, b.model.gravity);
   options.tolerance = tolerance;
   options.first_step = b.c.relaxation.first_step.value_or(options.first_step);
@@ -65,22 +66,11 @@ Equilibrium equilibrium(const Benchmark& b, double tolerance) {
 }
 
 std::unique_ptr<Integrator> integrator_of(const Benchmark& b) {
-  const auto& d = b.c.dynamics;
   const auto& system = *b.model.system;
-  IntegratorOptions options;
-  options.rtol = d.rtol;
-  const auto defaults = default_tolerances(d.rtol, b.model.size, b.model.gravity);
-  options.atol_position = d.atol_position.value_or(defaults.position);
-  options.atol_velocity = d.atol_velocity.value_or(defaults.velocity);
-  options.rate_slack = b.model.rate_slack;
-  options.max_order = d.max_order;
-  options.fixed_step = d.step.value_or(0);
-  if (d.integrator == IntegratorKind::rk4) return make_rk4(system, options);
-  // as in the command line's runs: the plain factorisation suits a shell
-  auto solver = b.model.has_directors()
-                    ? std::make_unique<ConjugateGradients>(std::make_unique<BlockIncompleteCholesky>(0.0))
-                    : make_linear_solver(SolverKind::conjugate_gradients);
-  if (d.integrator == IntegratorKind::ida) return make_ida(system, std::move(solver), options);
+  const auto options = integrator_options(b.c, b.model);
+  if (b.c.dynamics.integrator == IntegratorKind::rk4) return make_rk4(system, options);
+  auto solver = dynamics_solver(b.c);
+  if (b.c.dynamics.integrator == IntegratorKind::ida) return make_ida(system, std::move(solver), options);
   return make_cvode(system, std::move(solver), options);
 }
 
@@ -137,6 +127,18 @@ double tip_rotation(const std::vector<Vector3>& line, double tip_curvature) {
   const double last = angles.back(), turn = last - angles[angles.size() - 2];
   const double length = (line.back() - line[line.size() - 2]).norm();
   return last + (turn + 3 * length * tip_curvature) / 8;
+}
+
+std::vector<double> director_angles(const CaseModel& model, const Vector& all) {
+  std::vector<double> angles;
+  double before = 0;
+  for (const auto& column : columns(model.mesh)) {
+    Vector3 sum = Vector3::Zero();
+    for (const int i : column) sum += point(all, model.mesh.nodes() + i);
+    before += std::remainder(std::atan2(-sum.x(), sum.z()) - before, 2 * std::numbers::pi);
+    angles.push_back(before);
+  }
+  return angles;
 }
 
 double observed_order(double coarse_error, double fine_error, double refinement) {

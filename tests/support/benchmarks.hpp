@@ -26,6 +26,8 @@ struct Equilibrium {
 };
 /// Fails the test if it does not converge.
 [[nodiscard]] Equilibrium equilibrium(const Benchmark& b, double tolerance = 1e-6);
+/// From a state of all points, such as the equilibrium under a smaller load (3P).
+[[nodiscard]] Equilibrium equilibrium_from(const Vector& start, const Benchmark& b, double tolerance = 1e-6);
 
 /// A dynamic case at its frame times, and what the integrator did.
 struct Motion {
@@ -53,6 +55,10 @@ struct Motion {
 /// the curvature runs linearly from the mean of those at its ends to `tip_curvature`, what the load on the tip demands
 /// [1/m]; that at its inner end is the angle to the edge before over their distance.
 [[nodiscard]] double tip_rotation(const std::vector<Vector3>& line, double tip_curvature);
+
+/// Angle by which the directors of a strip of shell elements have turned from +z towards −x, from start to end [rad];
+/// followed along the strip so that it may pass ±π. Means over its width of a vector of all points (3P).
+[[nodiscard]] std::vector<double> director_angles(const CaseModel& model, const Vector& all);
 
 /// Order of convergence between two meshes, from their errors.
 [[nodiscard]] double observed_order(double coarse_error, double fine_error, double refinement = 2);

@@ -1,0 +1,53 @@
+#include "sundrape/app/solver_choice.hpp"
+
+#include "sundrape/integrate/default_tolerances.hpp"
+#include "sundrape/linalg/block_incomplete_cholesky.hpp"
+#include "sundrape/linalg/conjugate_gradients.hpp"
+
+namespace sundrape {
+namespace {
+
+/// The modified factorisation suits a net's springs; with a shell it breaks down at nearly every matrix and needs
+/// shifts that take nine tenths of its use away.
+std::unique_ptr<LinearSolver> conjugate_gradients(Model model) {
+  if (model == Model::shell)
+    return std::make_unique<ConjugateGradients>(std::make_unique<BlockIncompleteCholesky>(0.0));
+  return make_linear_solver(SolverKind::conjugate_gradients);
+}
+
+std::unique_ptr<LinearSolver> named(const std::string& name, Model model) {
+  if (name == "cholesky") return make_linear_solver(SolverKind::cholesky);
+  if (name == "lu") return make_linear_solver(SolverKind::lu);
+  return conjugate_gradients(model);
+}
+
+}  // namespace
+
+IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
+  const auto& d = c.dynamics;
+  IntegratorOptions o;
+  o.rtol = d.rtol;
+  const auto defaults = default_tolerances(d.rtol, model.size, model.gravity);
+  o.atol_position = d.atol_position.value_or(defaults.position);
+  o.atol_velocity = d.atol_velocity.value_or(defaults.velocity);
+  o.rate_slack = model.rate_slack;
+  o.max_order = d.max_order;
+  o.first_step = d.first_step;
+  o.max_step = d.max_step;
+  o.fixed_step = d.step.value_or(0);
+  return o;
+}
+
+std::unique_ptr<LinearSolver> dynamics_solver(const Case& c) {
+  const auto& name = c.dynamics.linear_solver;
+  // the symmetric part is good enough for the little that a pressure turns
+  const bool skew = c.model == Model::shell && !plate_bending(c.fabric).is_symmetric();
+  return named(name == "auto" && skew ? "lu" : name, c.model);
+}
+
+std::unique_ptr<LinearSolver> statics_solver(const Case& c, const System& system) {
+  const auto& name = c.relaxation.linear_solver;
+  return named(name != "auto" ? name : system.has_symmetric_tangent() ? "cholesky" : "lu", c.model);
+}
+
+}  // namespace sundrape
