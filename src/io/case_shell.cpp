@@ -22,7 +22,8 @@ void require_shell_model(const CaseSection& top, const Case& resolved) {
 }
 
 void require_scheme_of_shell(const CaseSection& top, const Case& resolved) {
-  if (resolved.model == Model::shell && resolved.relaxation.scheme == "chapter")
+  if (resolved.model == Model::shell && resolved.analysis == Analysis::relaxation &&
+      resolved.relaxation.scheme == "chapter")
     top.table("relaxation").fail("scheme", "\"chapter\" moves the nodes of a particle net; a shell needs \"implicit\"");
 }
 
