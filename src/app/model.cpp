@@ -234,8 +234,10 @@ CaseModel build_model(const Case& c) {
   auto sheet = make_sheet(c, model.mesh, threads, placed, supports);
   model.edge_strains = EdgeStrains(model.mesh);
   model.director_length = sheet.director_length;
+  model.gauges = std::move(sheet.gauges);
   for (const auto& term : sheet.terms) {
     if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends.push_back(bends);
+    if (const auto* clamps = dynamic_cast<const ClampSprings*>(term.get())) model.clamps.push_back(clamps);
     if (const auto* directors = dynamic_cast<const DirectorLength*>(term.get())) model.directors = directors;
   }
   add_loads(c, model, threads, placed, sheet);
@@ -272,14 +274,31 @@ CaseModel build_model(const Case& c) {
   return model;
 }
 
-Vector3 reaction(const System& system, const State& all, const std::vector<int>& nodes) {
+Reaction reaction(const CaseModel& model, const State& all, const std::vector<int>& nodes) {
+  const auto& unknowns = model.system->unknowns();
   Vector f = Vector::Zero(all.q.size());
-  system.force(all, f);
-  Vector3 sum = Vector3::Zero();
-  for (const int n : nodes)
+  model.system->force(all, f);
+  const auto held = [&](int p) {
+    Vector3 force = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
-      if (system.unknowns().is_held(n, k)) sum[k] += f[3 * n + k];
-  return sum;
+      if (unknowns.is_held(p, k)) force[k] = f[3 * p + k];
+    return force;
+  };
+  Vector3 centre = Vector3::Zero();
+  for (const int n : nodes) centre += point(all.q, n) / static_cast<double>(nodes.size());
+  std::vector<bool> chosen(static_cast<std::size_t>(model.mesh.nodes()), false);
+  Reaction r{Vector3::Zero(), Vector3::Zero()};
+  for (const int n : nodes) {
+    chosen[static_cast<std::size_t>(n)] = true;
+    const Vector3 force = held(n);
+    r.force += force;
+    r.moment += (point(all.q, n) - centre).cross(force);
+    if (!model.has_directors()) continue;
+    const int director = model.mesh.nodes() + n;
+    r.moment += Vector3(point(all.q, director)).cross(held(director));
+  }
+  for (const auto* clamps : model.clamps) r.moment -= clamps->couple(all, chosen);
+  return r;
 }
 
 }  // namespace sundrape

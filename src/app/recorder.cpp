@@ -1,6 +1,7 @@
 #include "sundrape/app/recorder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "sundrape/io/file_error.hpp"
 #include "sundrape/io/result_layout.hpp"
 #include "sundrape/io/result_reader.hpp"
+#include "sundrape/mesh/directors.hpp"
 #include "sundrape/statics/relaxation.hpp"
 #include "sundrape/version.hpp"
 
@@ -21,6 +23,7 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
   h.title = c.title;
   h.model = c.model == Model::shell ? "shell" : "particle";
   h.director = model.has_directors();
+  h.element_fields = model.gauges && c.output.resultants;
   h.analysis = c.analysis == Analysis::dynamics ? "dynamics" : "relaxation";
   h.case_text = c.text;
   h.version = version();
@@ -67,7 +70,8 @@ Recorder::Restart read_restart(const ResultReader& earlier, const std::filesyste
   r.extremes = {.largest_edge_strain = extremes.at(0),
                 .smallest_edge_strain = extremes.at(1),
                 .deepest_penetration = extremes.at(2),
-                .sharpest_bend = extremes.at(3)};
+                .sharpest_bend = extremes.at(3),
+                .largest_membrane_strain = extremes.at(4)};
   return r;
 }
 
@@ -80,6 +84,16 @@ ResultWriter open_writer(const ResultHeader& header, const Recorder::Files& file
                                 earlier.analysis(), header.analysis));
   restart = read_restart(earlier, *files.resume, size);
   return ResultWriter::resume(files.output, header, earlier);
+}
+
+ElementFields fields_of(const ShellReadings& r) {
+  const auto flat = [](const auto& rows) { return Vector(Eigen::Map<const Vector>(rows.data(), rows.size())); };
+  return {.membrane_strain = flat(r.membrane_strain),
+          .membrane_force = flat(r.membrane_force),
+          .shear_strain = flat(r.shear_strain),
+          .shear_force = flat(r.shear_force),
+          .curvature = flat(r.curvature),
+          .moment = flat(r.moment)};
 }
 
 /// What the summary says of the last frame, except its positions.
@@ -103,7 +117,11 @@ Frame last_frame(const ResultReader& result, const CaseModel& model) {
   f.residual = result.residual().at(last);
   f.negative_pivots = static_cast<int>(result.negative_pivots().at(last));
   const auto reactions = result.reactions();
-  for (const auto& set : model.reactions) f.reactions.push_back(reactions.at(layout::link_name(set.name)).at(last));
+  const auto moments = result.reaction_moments();
+  for (const auto& set : model.reactions) {
+    f.reactions.push_back(reactions.at(layout::link_name(set.name)).at(last));
+    f.moments.push_back(moments.at(layout::link_name(set.name)).at(last));
+  }
   return f;
 }
 
@@ -153,11 +171,23 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
     f.contact_force = model_.of_nodes(contact_force);
     f.penetration = model_.contact->report(all).deepest_penetration;
   }
-  for (const auto& set : model_.reactions) f.reactions.push_back(reaction(*model_.system, all, set.nodes));
+  if (model_.gauges) {
+    const auto readings = model_.gauges->read(all.q);
+    extremes_.largest_membrane_strain =
+        std::max(extremes_.largest_membrane_strain, largest_principal_strain(readings.membrane_strain));
+    if (header_.element_fields) f.elements = fields_of(readings);
+  }
+  for (const auto& set : model_.reactions) {
+    const auto [force, moment] = reaction(model_, all, set.nodes);
+    f.reactions.push_back(force);
+    f.moments.push_back(moment);
+  }
   if (case_.analysis == Analysis::relaxation) extremes_ = {.deepest_penetration = f.penetration};
   const auto [smallest, largest] = model_.edge_strains.range(all.q);
   extremes_.largest_edge_strain = std::max(extremes_.largest_edge_strain, largest);
   extremes_.smallest_edge_strain = std::min(extremes_.smallest_edge_strain, smallest);
+  if (model_.directors)
+    extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, sharpest_turn(model_.mesh, model_.directors_of(all.q)));
   for (const auto* bends : model_.bends)
     extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, bends->largest_angle(all.q));
   writer_.append_frame(f);
@@ -183,7 +213,9 @@ void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance,
               {"v", as_list(all.v)},
               {"books", {balance.dissipated, balance.external_work, initial_energy, step_size}},
               {"totals", totals},
-              {"extremes", {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend}},
+              {"extremes",
+               {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend,
+                e.largest_membrane_strain}},
               {"run_seconds", {clock_.wall(), clock_.cpu()}}};
   writer_.write_checkpoint(c);
 }
@@ -227,9 +259,11 @@ nlohmann::json Recorder::summary(const std::string& status, const std::string& m
     for (int i = 0; i < model_.mesh.nodes(); ++i) sum += point(last_.contact_force, i);
     j["final"]["contact_force_sum_N"] = {sum.x(), sum.y(), sum.z()};
   }
-  for (std::size_t k = 0; k < last_.reactions.size(); ++k)
-    j["final"]["reaction_N"][model_.reactions[k].name] = {last_.reactions[k].x(), last_.reactions[k].y(),
-                                                          last_.reactions[k].z()};
+  const auto list = [](const Vector3& v) { return std::array{v.x(), v.y(), v.z()}; };
+  for (std::size_t k = 0; k < last_.reactions.size(); ++k) {
+    j["final"]["reaction_N"][model_.reactions[k].name] = list(last_.reactions[k]);
+    j["final"]["reaction_moment_Nm"][model_.reactions[k].name] = list(last_.moments[k]);
+  }
   j["weight_N"] = model_.weight;
   for (const auto& s : statistics_) std::visit([&](const auto& value) { j[s.name] = value; }, s.value);
   j["warnings"] = warnings_;

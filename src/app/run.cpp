@@ -54,15 +54,20 @@ void report_extremes(const Case& c, Recorder& recorder) {
   recorder.statistic("smallest_edge_strain", e.smallest_edge_strain, "of a thread segment, " + of_frames);
   recorder.statistic("deepest_penetration_m", e.deepest_penetration, "of a contact point into an obstacle, " + when);
   recorder.statistic("sharpest_bend_deg", e.sharpest_bend * 180 / std::numbers::pi,
-                     "turn of a thread from one edge to the next, " + of_frames);
+                     "turn of a thread from one edge to the next, or of a director along an edge, " + of_frames);
   if (e.deepest_penetration > c.contact.penetration)
     recorder.warn(fmt::format(
         "the cloth sank {:.3g} mm into an obstacle, more than the {:.3g} mm allowed: raise contact.stiffness",
         1e3 * e.deepest_penetration, 1e3 * c.contact.penetration));
-  if (e.largest_edge_strain > 0.05)
+  const bool shell = c.model == Model::shell;
+  if (shell)
+    recorder.statistic("largest_membrane_strain", e.largest_membrane_strain,
+                       "principal strain at the centre of an element, " + of_frames);
+  const double stretch = shell ? e.largest_membrane_strain : e.largest_edge_strain;
+  if (stretch > 0.05)
     recorder.warn(
         fmt::format("threads stretched by up to {:.1f} %: the fabric's modulus may be too small, or a load too large",
-                    100 * e.largest_edge_strain));
+                    100 * stretch));
   if (e.sharpest_bend > 150 * std::numbers::pi / 180)
     recorder.warn(
         fmt::format("a thread folds by {:.0f}° from one edge to the next: the mesh is too coarse for this fold",

@@ -1,5 +1,6 @@
 #include "sheet.hpp"
 
+#include <cmath>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -37,10 +38,13 @@ ShellSection section_of(const Case& c) {
           .bending_damping = damping.bending};
 }
 
-/// Whether directors have rotary inertia in this case.
-bool has_inertia(const Case& c) {
-  if (c.analysis != Analysis::dynamics) return false;  // where motion is fictitious
-  return c.shell.director != ShellDirector::massless;
+/// Mass of a director's point over that of its node: of ρ h³/12 the part that the case asks for. In statics, where
+/// motion is a way to find an equilibrium, directors get a tenth of a node's mass, so that none of them can turn
+/// singular.
+double director_inertia(const Case& c, double director_length) {
+  if (c.analysis != Analysis::dynamics) return 0.1;
+  if (c.shell.director == ShellDirector::massless) return 0;
+  return c.shell.rotary_inertia * std::pow(c.fabric.thickness / director_length, 2) / 12;
 }
 
 /// Positions and directors of a node next to each other.
@@ -72,19 +76,18 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
   sheet.director_length = 0.5 * mean_edge_length(mesh);
   const auto directors = rest_directors(mesh);
   const Vector node_mass = lumped_mass(mesh, fabric);
-  const double radius2 = fabric.thickness * fabric.thickness / 12, l2 = sheet.director_length * sheet.director_length;
-  const double inertia = has_inertia(c) ? c.shell.rotary_inertia * radius2 / l2 : 0;  // per mass: ρ h³/12 over ρ h ℓ²
   sheet.mass.resize(2 * n);
-  sheet.mass << node_mass, inertia * node_mass;
+  sheet.mass << node_mass, director_inertia(c, sheet.director_length) * node_mass;
   sheet.held = supports.position;
   sheet.held.insert(sheet.held.end(), supports.director.begin(), supports.director.end());
   sheet.order = interleaved(n);
 
   const auto section = section_of(c);
   const auto measure = c.shell.bending == ShellBending::geodesic ? CurvatureMeasure::geodesic : CurvatureMeasure::chord;
-  sheet.terms.push_back(
-      std::make_unique<Shell>(shell_elements(mesh, directors, c.shell.hourglass_factor.value_or(-1)), section,
-                              ShellOptions{membrane_field(c.shell.membrane), measure, sheet.director_length}));
+  const ShellOptions options{membrane_field(c.shell.membrane), measure, sheet.director_length};
+  const auto elements = shell_elements(mesh, directors, c.shell.hourglass_factor.value_or(-1));
+  sheet.terms.push_back(std::make_unique<Shell>(elements, section, options));
+  sheet.gauges.emplace(elements, section, options);
   const double modulus = std::sqrt(fabric.warp_membrane * fabric.weft_membrane);
   const auto areas = tributary_areas(mesh);
   std::vector<DirectorSpring> springs;

@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/ramp.hpp"
+#include "sundrape/force/shell_gauges.hpp"
 #include "sundrape/io/case.hpp"
 #include "sundrape/mesh/quad_mesh.hpp"
 #include "sundrape/mesh/threads.hpp"
@@ -21,11 +23,12 @@ struct Supports {
 /// directors.
 struct Sheet {
   std::vector<std::unique_ptr<ForceTerm>> terms;
-  Vector mass;                       // P [kg]; of directors rotary inertia over ℓ², 0 where they have none
-  std::vector<Unknowns::Held> held;  // P
-  std::vector<int> order;            // in which points become unknowns, P
-  double director_length = 0;        // ℓ [m]; 0 of a particle net
-  std::vector<Vector3> directors;    // where the sheet was placed, N; empty of a particle net
+  Vector mass;                        // P [kg]; of directors rotary inertia over ℓ², 0 where they have none
+  std::vector<Unknowns::Held> held;   // P
+  std::vector<int> order;             // in which points become unknowns, P
+  double director_length = 0;         // ℓ [m]; 0 of a particle net
+  std::optional<ShellGauges> gauges;  // of a shell
+  std::vector<Vector3> directors;     // where the sheet was placed, N; empty of a particle net
 
   [[nodiscard]] int points() const { return static_cast<int>(mass.size()); }
 };

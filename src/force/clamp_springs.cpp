@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <Eigen/Geometry>
+
 #include "sundrape/force/bend_law.hpp"
 #include "sundrape/force/hinge_angle.hpp"
 
@@ -43,12 +45,23 @@ double ClampSprings::dissipated_power(const State& state) const {
 
 void ClampSprings::add_force(const State& state, VectorRef f) const {
   for (const auto& s : springs_) {
-    const HingeAngle hinge(s.direction, edge(s, state.q), s.axis);
-    const double turn = law_ ? bend_response(*law_, s.length, hinge.angle).turn : hinge.angle;
-    const Vector3 pull = s.stiffness * (turn + relaxation_time_ * hinge.gb.dot(edge(s, state.v))) * hinge.gb;
+    const Vector3 pull = this->pull(s, state);
     point(f, s.next) -= pull;
     point(f, s.node) += pull;
   }
+}
+
+Vector3 ClampSprings::pull(const ClampSpring& s, const State& state) const {
+  const HingeAngle hinge(s.direction, edge(s, state.q), s.axis);
+  const double turn = law_ ? bend_response(*law_, s.length, hinge.angle).turn : hinge.angle;
+  return s.stiffness * (turn + relaxation_time_ * hinge.gb.dot(edge(s, state.v))) * hinge.gb;
+}
+
+Vector3 ClampSprings::couple(const State& state, const std::vector<bool>& nodes) const {
+  Vector3 sum = Vector3::Zero();
+  for (const auto& s : springs_)
+    if (nodes[static_cast<std::size_t>(s.node)]) sum -= edge(s, state.q).cross(pull(s, state));
+  return sum;
 }
 
 void ClampSprings::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {

@@ -23,16 +23,9 @@ struct Modes {
   [[nodiscard]] V by_eta(double xi) const { return c + xi * b; }
 };
 
-/// Warp–weft axes of the tangent plane at one point, and what takes covariant components there.
-struct Frame {
-  Eigen::Matrix2d covariant;  // L_αi = A^α · e_i [1/m]: γ_i = γ_α L_αi
-  Eigen::Matrix3d strain;     // (ε₁₁, ε₂₂, 2ε₁₂) from covariant ones
-  Vector3 normal;             // A₁ × A₂, as long as the area per dξ dη [m²]
-};
-
-Frame frame_at(const Modes<Vector3>& x, const Modes<Eigen::Vector2d>& material, double xi, double eta) {
+ShellAxes axes_at(const Modes<Vector3>& x, const Modes<Eigen::Vector2d>& material, double xi, double eta) {
   const Vector3 a1 = x.by_xi(eta), a2 = x.by_eta(xi);
-  Frame f;
+  ShellAxes f;
   f.normal = a1.cross(a2);
   // along the warp: x,w = x,ξ ξ,w + x,η η,w; without material coordinates along ξ
   Eigen::Matrix2d by_parent;
@@ -73,7 +66,7 @@ Matrix3x6 edge_tied_strains(double xi, double eta) {
 
 struct IntegrationPoint {
   double xi, eta;
-  Frame frame;
+  ShellAxes frame;
   double area;
 };
 
@@ -86,7 +79,7 @@ double strip_stiffness(const Eigen::Matrix3d& membrane, const Eigen::Vector2d& d
 }
 
 /// W = ½ A E₀ᵀ D E₀ + ½ factor (A E h/3) (ĥ₁²/|A|⁴ + ĥ₂²/|C|⁴) with ĥ₁ = a·γ, ĥ₂ = c·γ, γ = b − β₁ a − β₂ c.
-Eigen::Matrix<double, 6, 6> centre_field(const Modes<Vector3>& x, const Frame& centre, const ShellElement& element,
+Eigen::Matrix<double, 6, 6> centre_field(const Modes<Vector3>& x, const ShellAxes& centre, const ShellElement& element,
                                          const ShellSection& section, double area) {
   const Matrix3x6 strains = centre.strain * compatible_strains(0, 0);
   Eigen::Matrix<double, 6, 6> c = area * strains.transpose() * section.membrane * strains;
@@ -107,7 +100,7 @@ Eigen::Matrix<double, 6, 6> centre_field(const Modes<Vector3>& x, const Frame& c
 }
 
 /// Stresses β₁ + β₄ (η − η̄), β₂ + β₅ (ξ − ξ̄), β₃ along the parent axes of the centre, condensed: C = Lᵀ H⁻¹ L.
-Eigen::Matrix<double, 6, 6> mixed_field(const std::array<IntegrationPoint, 4>& points, const Frame& centre,
+Eigen::Matrix<double, 6, 6> mixed_field(const std::array<IntegrationPoint, 4>& points, const ShellAxes& centre,
                                         const ShellSection& section, double area) {
   double mean_xi = 0, mean_eta = 0;
   for (const auto& p : points) {
@@ -131,16 +124,20 @@ Eigen::Matrix<double, 6, 6> mixed_field(const std::array<IntegrationPoint, 4>& p
 
 }  // namespace
 
+ShellAxes centre_axes(const ShellElement& element) {
+  return axes_at(Modes<Vector3>(element.position), Modes<Eigen::Vector2d>(element.material), 0, 0);
+}
+
 ShellReference shell_reference(const ShellElement& element, const ShellSection& section, MembraneField field) {
   const Modes<Vector3> x(element.position);
   const Modes<Eigen::Vector2d> material(element.material);
-  const Frame centre = frame_at(x, material, 0, 0);
+  const ShellAxes centre = axes_at(x, material, 0, 0);
   std::array<IntegrationPoint, 4> points;
   double area = 0;
   for (std::size_t g = 0; g < 4; ++g) {
     const double xi = g % 2 == 0 ? -integration_point : integration_point;
     const double eta = g < 2 ? -integration_point : integration_point;
-    const Frame frame = frame_at(x, material, xi, eta);
+    const ShellAxes frame = axes_at(x, material, xi, eta);
     const double jacobian = frame.normal.dot(centre.normal.normalized());
     if (!(jacobian > 0)) throw std::invalid_argument("a quad is not convex: its corners fold over");
     points[g] = {xi, eta, frame, frame.normal.norm()};

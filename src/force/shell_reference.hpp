@@ -5,6 +5,16 @@
 
 namespace sundrape {
 
+/// Warp–weft axes of the tangent plane at one point, and what takes covariant components there.
+struct ShellAxes {
+  Eigen::Matrix2d covariant;  // L_αi = A^α · e_i [1/m]: γ_i = γ_α L_αi
+  Eigen::Matrix3d strain;     // (ε₁₁, ε₂₂, 2ε₁₂) from covariant ones [1/m²]
+  Vector3 normal;             // A₁ × A₂, as long as the area per dξ dη [m²]
+};
+
+/// The axes at the centre of an element at rest.
+[[nodiscard]] ShellAxes centre_axes(const ShellElement& element);
+
 /// The constant numbers of one element (docs/shell.md).
 ///
 /// With a = ¼Σξ_I x_I, b = ¼Σξ_Iη_I x_I, c = ¼Ση_I x_I the position's derivatives are x,ξ = a + ηb and x,η = c + ξb,

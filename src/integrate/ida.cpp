@@ -154,6 +154,13 @@ class Ida final : public ImplicitIntegrator {
       what = "the error test fails, however small the step";
       advice = "try a looser rtol or more strain-rate damping";
     }
+    if (form_.system().has_massless_rows() &&
+        (flag == IDA_CONV_FAIL || flag == IDA_LSOLVE_FAIL || flag == IDA_ERR_FAIL)) {
+      what =
+          "the equations of directors without inertia have turned singular, as they do where a fold is sharper than "
+          "the mesh";
+      advice = "try shell.director = \"inertia\", more material.damping.bending or a finer mesh";
+    }
     if (flag == IDA_REP_RES_ERR || flag == IDA_RES_FAIL || flag == IDA_FIRST_RES_FAIL)
       what = "the forces are not finite: nodes coincide, or the motion has blown up";
     return fmt::format("{} at t = {:.6g} s, step {:.3g} s; {} ({})", what, time_, h, advice, messages_.last);

@@ -39,9 +39,10 @@ std::vector<Section> shell_keys() {
                .type = KeyType::choice,
                .choices = choices::director.list(),
                .default_value = "\"auto\"",
-               .doc = "With rotary inertia (`inertia`, and `auto`) the motion is an ODE for any integrator; `massless` "
-                      "directors "
-                      "make it a DAE, for `integrator = \"ida\"` with bending damping."},
+               .doc =
+                   "With rotary inertia (`inertia`, and `auto`) the motion is an ODE for any integrator, which goes on "
+                   "through sharp folds and without damping; `massless` directors make it a DAE, for `integrator = "
+                   "\"ida\"` and a fabric with damping, which stops where a fold is sharper than the mesh."},
               {.name = "rotary_inertia",
                .range = above_to(0, 1000),
                .default_value = "1",

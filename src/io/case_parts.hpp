@@ -22,5 +22,7 @@ void resolve_bending(const CaseSection& bending, Fabric& fabric);
 void require_shell_model(const CaseSection& top, const Case& resolved);
 /// Refuses massless directors where the integrator needs an ODE.
 void require_integrator_of_director(const CaseSection& top, const Case& resolved);
+void require_scheme_of_shell(const CaseSection& top, const Case& resolved);
+void require_damping_of_massless_directors(const CaseSection& top, const Case& resolved);
 
 }  // namespace sundrape

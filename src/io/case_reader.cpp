@@ -65,6 +65,8 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   const CaseSection dynamics = top.table("dynamics");
   resolved.dynamics = resolve_dynamics(dynamics);
   require_integrator_of_director(top, resolved);
+  require_scheme_of_shell(top, resolved);
+  require_damping_of_massless_directors(top, resolved);
   resolved.relaxation = resolve_relaxation(top.table("relaxation"));
   if (resolved.analysis == Analysis::dynamics && !dynamics.has("duration")) {
     const SourceLine where = top.has("dynamics") ? dynamics.source() : top.source("analysis");

@@ -21,6 +21,24 @@ void require_shell_model(const CaseSection& top, const Case& resolved) {
   if (top.has("shell")) top.fail("shell", "belongs to model = \"shell\", not to \"particle\"");
 }
 
+void require_scheme_of_shell(const CaseSection& top, const Case& resolved) {
+  if (resolved.model == Model::shell && resolved.relaxation.scheme == "chapter")
+    top.table("relaxation").fail("scheme", "\"chapter\" moves the nodes of a particle net; a shell needs \"implicit\"");
+}
+
+void require_damping_of_massless_directors(const CaseSection& top, const Case& resolved) {
+  if (resolved.model != Model::shell || resolved.analysis != Analysis::dynamics ||
+      resolved.shell.director != ShellDirector::massless)
+    return;
+  const auto& damping = resolved.fabric.damping;
+  for (const auto& [key, value] : {std::pair{"membrane", damping.membrane}, std::pair{"bending", damping.bending}})
+    if (value == 0)
+      top.table("shell").fail(
+          "director", fmt::format("\"massless\" needs material.damping.{} > 0, which makes the rates of directors "
+                                  "follow from the forces; take some, or director = \"inertia\"",
+                                  key));
+}
+
 void require_integrator_of_director(const CaseSection& top, const Case& resolved) {
   if (resolved.model != Model::shell || resolved.analysis != Analysis::dynamics) return;
   if (resolved.shell.director == ShellDirector::massless && resolved.dynamics.integrator != IntegratorKind::ida)

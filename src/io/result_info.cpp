@@ -45,6 +45,7 @@ nlohmann::json info_json(const ResultReader& result) {
   const auto vector = [](const Vector3& value) { return std::vector<double>(value.begin(), value.end()); };
   last["contact_force_sum"] = vector(result.contact_force_sum().back());
   for (const auto& [set, forces] : result.reactions()) last["reaction"][set] = vector(forces.back());
+  for (const auto& [set, moments] : result.reaction_moments()) last["reaction_moment"][set] = vector(moments.back());
   return info;
 }
 

@@ -26,6 +26,12 @@ const std::vector<Meaning>& table() {
       {"/frames/velocity", "m/s", "velocity of each node"},
       {"/frames/contact_force", "N", "contact force on each node"},
       {"/frames/director", "1", "director of each node"},
+      {"/frames/element/membrane_strain", "1", "membrane strains e11, e22, 2 e12 at the centre of each element"},
+      {"/frames/element/membrane_force", "N/m", "membrane forces n11, n22, n12 at the centre of each element"},
+      {"/frames/element/shear_strain", "1", "transverse shear strains g1, g2 at the centre of each element"},
+      {"/frames/element/shear_force", "N/m", "transverse shear forces q1, q2 at the centre of each element"},
+      {"/frames/element/curvature", "1/m", "curvatures k11, k22, 2 k12 at the centre of each element"},
+      {"/frames/element/moment", "N", "bending moments m11, m22, m12 per width at the centre of each element"},
       {"/frames/energy/kinetic", "J", "kinetic energy"},
       {"/frames/energy/membrane", "J", "stored energy of stretching along the threads"},
       {"/frames/energy/shear", "J", "stored energy of shear"},
@@ -41,6 +47,8 @@ const std::vector<Meaning>& table() {
       {"/frames/penetration", "m", "deepest penetration into an obstacle"},
       {"/frames/contact_force_sum", "N", "sum of the contact forces on the cloth"},
       {"/frames/reaction/*", "N", "force that the cloth exerts on a fixed or moved set"},
+      {"/frames/reaction_moment/*", "N m",
+       "moment that the cloth exerts on a fixed or moved set, about the mean position of its nodes"},
       {"/probes/*/time", "s", "time of every accepted step"},
       {"/probes/*/position", "m", "position of the probed node"},
       {"/probes/*/velocity", "m/s", "velocity of the probed node"},
@@ -96,6 +104,10 @@ Series frame_series(const ResultHeader& header) {
   for (const auto* const name : {"position", "velocity", "contact_force"})
     columns.push_back(column(fmt::format("/frames/{}", name), {nodes, 3}));
   if (header.director) columns.push_back(column("/frames/director", {nodes, 3}));
+  if (header.element_fields)
+    for (const auto& [name, components] : layout::element_fields())
+      columns.push_back(column("/frames/element/" + std::string(name),
+                               {header.mesh.quads.size(), static_cast<std::uint64_t>(components)}));
   for (const auto& name : layout::energy_names()) columns.push_back(column("/frames/energy/" + name));
   columns.push_back(column("/frames/residual"));
   columns.push_back(column("/frames/negative_pivots", {}, hdf5::Element::int64));
@@ -103,6 +115,8 @@ Series frame_series(const ResultHeader& header) {
   columns.push_back(column("/frames/contact_force_sum", {3}));
   for (const auto& set : header.reaction_sets)
     columns.push_back(column("/frames/reaction/" + layout::link_name(set), {3}));
+  for (const auto& set : header.reaction_sets)
+    columns.push_back(column("/frames/reaction_moment/" + layout::link_name(set), {3}));
   return frames;
 }
 
@@ -147,6 +161,17 @@ const std::vector<std::string>& energy_names() {
 std::vector<double> energy_values(const FrameEnergies& e) {
   return {e.kinetic, e.membrane,   e.shear,         e.bending,          e.gravity,
           e.contact, e.dissipated, e.external_work, e.method_dissipated};
+}
+
+const std::vector<std::pair<std::string_view, int>>& element_fields() {
+  static const std::vector<std::pair<std::string_view, int>> fields{{"membrane_strain", 3}, {"membrane_force", 3},
+                                                                    {"shear_strain", 2},    {"shear_force", 2},
+                                                                    {"curvature", 3},       {"moment", 3}};
+  return fields;
+}
+
+std::vector<const Vector*> element_values(const ElementFields& e) {
+  return {&e.membrane_strain, &e.membrane_force, &e.shear_strain, &e.shear_force, &e.curvature, &e.moment};
 }
 
 std::string link_name(std::string name) {

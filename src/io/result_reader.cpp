@@ -1,6 +1,7 @@
 #include "sundrape/io/result_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <fmt/format.h>
@@ -83,10 +84,27 @@ std::vector<std::int64_t> ResultReader::negative_pivots() const {
   return file_.dataset("/frames/negative_pivots").read_rows<std::int64_t>(0, frames());
 }
 
-std::map<std::string, std::vector<Vector3>> ResultReader::reactions() const {
+std::map<std::string, std::vector<Vector3>> ResultReader::reactions() const { return by_set("/frames/reaction"); }
+
+std::map<std::string, std::vector<Vector3>> ResultReader::reaction_moments() const {
+  return by_set("/frames/reaction_moment");
+}
+
+std::map<std::string, std::vector<Vector3>> ResultReader::by_set(const std::string& group) const {
   std::map<std::string, std::vector<Vector3>> result;
-  for (const auto& set : file_.children("/frames/reaction")) result[set] = vectors("/frames/reaction/" + set, frames());
+  for (const auto& set : file_.children(group)) result[set] = vectors(group + "/" + set, frames());
   return result;
+}
+
+bool ResultReader::has_element_fields() const { return !file_.children("/frames/element").empty(); }
+
+ElementFields ResultReader::element_fields(std::size_t frame) const {
+  ElementFields fields;
+  const std::array<Vector*, 6> members{&fields.membrane_strain, &fields.membrane_force, &fields.shear_strain,
+                                       &fields.shear_force,     &fields.curvature,      &fields.moment};
+  for (std::size_t k = 0; k < members.size(); ++k)
+    *members[k] = nodal("/frames/element/" + std::string(layout::element_fields()[k].first), frame);
+  return fields;
 }
 
 std::map<std::string, std::vector<double>> ResultReader::step_columns() const {

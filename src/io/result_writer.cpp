@@ -137,9 +137,16 @@ void ResultWriter::append_frame(const Frame& frame) {
   require_size(frame.velocity, size, "velocity");
   if (frame.contact_force.size() != 0) require_size(frame.contact_force, size, "contact force");
   if (header.director) require_size(frame.director, size, "director");
-  if (frame.reactions.size() != header.reaction_sets.size())
-    throw std::invalid_argument(fmt::format("a frame has {} reactions, the result has {} sets", frame.reactions.size(),
-                                            header.reaction_sets.size()));
+  const auto fields = layout::element_values(frame.elements);
+  if (header.element_fields)
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const auto& [name, components] = layout::element_fields()[k];
+      require_size(*fields[k], components * std::ssize(header.mesh.quads), name);
+    }
+  for (const auto* const sets : {&frame.reactions, &frame.moments})
+    if (sets->size() != header.reaction_sets.size())
+      throw std::invalid_argument(
+          fmt::format("a frame has {} reactions, the result has {} sets", sets->size(), header.reaction_sets.size()));
 
   auto& file = implementation_->file();
   std::size_t column = 0;  // in the order of layout::series
@@ -151,12 +158,15 @@ void ResultWriter::append_frame(const Frame& frame) {
   add(entries(frame.velocity));
   add(entries(contact));
   if (header.director) add(entries(frame.director));
+  if (header.element_fields)
+    for (const auto* const field : fields) add(entries(*field));
   for (const double energy : layout::energy_values(frame.energies)) add(std::span(&energy, 1));
   add(std::span(&frame.residual, 1));
   file.append(SeriesIndex::frames, column++, std::int64_t{frame.negative_pivots});
   add(std::span(&frame.penetration, 1));
   add(std::span(contact_sum.data(), 3));
   for (const auto& reaction : frame.reactions) add(std::span(reaction.data(), 3));
+  for (const auto& moment : frame.moments) add(std::span(moment.data(), 3));
   file.commit();
 }
 

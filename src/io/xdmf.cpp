@@ -9,6 +9,7 @@
 
 #include "sundrape/io/file_error.hpp"
 #include "sundrape/io/replace_file.hpp"
+#include "sundrape/io/result_layout.hpp"
 
 namespace sundrape {
 namespace {
@@ -34,12 +35,12 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Frame `frame` of a nodal dataset of F × N × 3.
-std::string slab(const XdmfContent& content, const std::string& dataset, std::size_t frame) {
+/// Frame `frame` of a dataset of F × `items` × 3.
+std::string slab(const XdmfContent& content, const std::string& dataset, std::size_t frame, std::size_t items) {
   return fmt::format(
       R"(<DataItem ItemType="HyperSlab" Dimensions="{1} 3"><DataItem Dimensions="3 3" Format="XML">{2} 0 0 1 1 1 1 {1} 3</DataItem>)"
       R"(<DataItem Dimensions="{3} {1} 3" NumberType="Float" Precision="8" Format="HDF">{0}:/frames/{4}</DataItem></DataItem>)",
-      escaped(content.result_file), content.nodes, frame, content.rows, dataset);
+      escaped(content.result_file), items, frame, content.rows, dataset);
 }
 
 }  // namespace
@@ -56,14 +57,20 @@ std::string xdmf_text(const XdmfContent& content, std::span<const double> frame_
                    R"(NumberType="Int" Precision="4" Format="HDF">{1}:/mesh/quads</DataItem></Topology>)"
                    "\n",
                    content.quads, escaped(content.result_file));
-    fmt::format_to(out, "<Geometry GeometryType=\"XYZ\">{}</Geometry>\n", slab(content, "position", frame));
+    fmt::format_to(out, "<Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
+                   slab(content, "position", frame, content.nodes));
     const auto vector = [&](const char* name) {
       fmt::format_to(out, "<Attribute Name=\"{0}\" AttributeType=\"Vector\" Center=\"Node\">{1}</Attribute>\n", name,
-                     slab(content, name, frame));
+                     slab(content, name, frame, content.nodes));
     };
     vector("velocity");
     vector("contact_force");
     if (content.director) vector("director");
+    if (content.element_fields)
+      for (const auto& [name, components] : layout::element_fields())
+        if (components == 3)  // XDMF has no vectors of two
+          fmt::format_to(out, "<Attribute Name=\"{}\" AttributeType=\"Vector\" Center=\"Cell\">{}</Attribute>\n", name,
+                         slab(content, fmt::format("element/{}", name), frame, content.quads));
     text += "</Grid>\n";
   }
   return text + "</Grid>\n</Domain>\n</Xdmf>\n";
@@ -74,7 +81,8 @@ XdmfWriter::XdmfWriter(std::filesystem::path result, const ResultHeader& header)
       content_{.result_file = path_.filename().string(),
                .nodes = header.mesh.reference.size(),
                .quads = header.mesh.quads.size(),
-               .director = header.director} {
+               .director = header.director,
+               .element_fields = header.element_fields} {
   path_.replace_extension(".xdmf");
 }
 

@@ -1,6 +1,7 @@
 #include "sundrape/mesh/directors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -41,6 +42,16 @@ std::vector<Vector3> rest_directors(const QuadMesh& mesh) {
           [&](std::size_t i) { return !on_boundary[i]; });
   reflect([&](std::size_t i) { return quads_at[i] == 1; }, [&](std::size_t i) { return quads_at[i] > 1; });
   return directors;
+}
+
+double sharpest_turn(const QuadMesh& mesh, ConstVectorRef directors) {
+  double sharpest = 0;
+  for (const auto& quad : mesh.quads)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector3 a = point(directors, quad[k]), b = point(directors, quad[(k + 1) % 4]);
+      sharpest = std::max(sharpest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  return sharpest;
 }
 
 std::vector<Vector3> carried_directors(const QuadMesh& mesh, const std::vector<Vector3>& directors,

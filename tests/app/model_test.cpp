@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -64,12 +65,63 @@ TEST(Model, TakesItsMeshAndItsNodeSetsFromAFileBesideTheCase) {
   EXPECT_EQ(model.reactions.at(0).name, "hem");
 }
 
+/// Both models of a sheet.
+std::vector<std::string> models() { return {"", "model = \"shell\"\n"}; }
+
 TEST(Model, ItsSupportCarriesTheWeightOfAHangingSheet) {
-  const auto model = samples::model_of(sheet_case(hung));
-  const Vector q = samples::equilibrium(model, 1e-7), still = Vector::Zero(q.size());
-  const Vector3 carried = reaction(*model.system, {0, q, still}, model.reactions.at(0).nodes);
-  EXPECT_NEAR(carried.z() / sheet_weight, -1, 1e-4);  // the cloth pulls its support down
-  EXPECT_LT(std::hypot(carried.x(), carried.y()), 1e-4 * sheet_weight);
+  for (const auto& kind : models()) {
+    const auto model = samples::model_of(kind + sheet_case(hung));
+    const Vector q = samples::equilibrium(model, 1e-7), still = Vector::Zero(q.size());
+    const Vector3 carried = reaction(model, {0, q, still}, model.reactions.at(0).nodes).force;
+    EXPECT_NEAR(carried.z() / sheet_weight, -1, 1e-4) << kind;  // the cloth pulls its support down
+    EXPECT_LT(std::hypot(carried.x(), carried.y()), 1e-4 * sheet_weight) << kind;
+  }
+}
+
+TEST(Model, AClampCarriesTheMomentOfTheWeightAboutIt) {
+  for (const auto& kind : models()) {
+    const auto model = samples::model_of(kind + sheet_case("[[fix]]\nnodes = \"left\"\n"));
+    const Vector q = samples::equilibrium(model, 1e-8), still = Vector::Zero(q.size());
+    const auto carried = reaction(model, {0, q, still}, model.reactions.at(0).nodes);
+    Vector3 centre = Vector3::Zero(), moment = Vector3::Zero();
+    for (const int n : model.reactions.at(0).nodes) centre += 0.25 * point(q, n);
+    for (int i = 0; i < model.mesh.nodes(); ++i)
+      moment += (point(q, i) - centre).cross(Vector3(0, 0, -9.80665 * model.system->mass()[i]));
+    EXPECT_GT(moment.norm(), 0.1 * sheet_weight * 0.04) << kind;
+    EXPECT_LT((carried.moment - moment).norm(), 1e-4 * moment.norm()) << kind;
+  }
+}
+
+TEST(Model, AHingeCarriesNoMomentAboutItsAxis) {
+  // directors may turn about y alone, and do
+  const auto model = samples::model_of("model = \"shell\"\n" +
+                                       sheet_case("[[fix]]\nnodes = \"left\"\ncomponents = [\"x\", \"y\", \"z\", "
+                                                  "\"director-y\"]\n"));
+  const Vector q = samples::equilibrium(model, 1e-8), still = Vector::Zero(q.size());
+  const auto carried = reaction(model, {0, q, still}, model.reactions.at(0).nodes);
+  EXPECT_LT(std::abs(carried.moment.y()), 1e-6 * sheet_weight * 0.04);
+  const Vector directors = model.directors_of(q);
+  for (const int n : model.reactions.at(0).nodes) {
+    EXPECT_EQ(point(directors, n).y(), 0);
+    EXPECT_LT(point(directors, n).z(), 0.1);  // the sheet hangs down
+  }
+}
+
+TEST(Model, OfAShellHasDirectorsWithRotaryInertiaOrWithout) {
+  const std::string plain =
+      "model = \"shell\"\nanalysis = \"dynamics\"\n[dynamics]\nduration = 1\nintegrator = \"ida\"\n";
+  const auto text = [&](const std::string& director) {
+    auto of_sheet = sheet_case(hung + "[shell]\ndirector = \"" + director + "\"\n");
+    return plain + of_sheet.substr(of_sheet.find('\n') + 1);  // without its analysis
+  };
+  const auto heavy = samples::model_of(text("inertia")), light = samples::model_of(text("massless"));
+  const auto nodes = heavy.mesh.nodes();
+  // ρ h³/12 over the square of the directors' length
+  const double expected = 0.2 * 0.08 * 0.06 * std::pow(0.5e-3, 2) / 12 / std::pow(heavy.director_length, 2);
+  EXPECT_NEAR(heavy.system->mass().tail(nodes).sum(), expected, 1e-12 * expected);
+  EXPECT_EQ(light.system->mass().tail(nodes).sum(), 0);
+  EXPECT_NEAR(light.weight, sheet_weight, 1e-9);
+  EXPECT_EQ(heavy.directors_of(heavy.initial).size(), 3 * nodes);
 }
 
 TEST(Model, TheFloorCarriesTheWeightOfASheetAtRest) {

@@ -197,6 +197,31 @@ TEST(MasslessDirectors, NeedIda) {
   EXPECT_NO_THROW((void)parse_case(text, "CASE.toml", {"model=shell", "analysis=relaxation"}));
 }
 
+TEST(ChapterScheme, IsOfTheParticleNet) {
+  const auto text = sample_with("[cloth]", "[relaxation]\nscheme = \"chapter\"\n[cloth]");
+  EXPECT_NO_THROW((void)parse_case(text, "CASE.toml", {"analysis=relaxation"}));
+  try {
+    (void)parse_case(text, "CASE.toml", {"model=shell", "analysis=relaxation"});
+    FAIL() << "directors have no displacement per force";
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.key(), "relaxation.scheme");
+  }
+}
+
+TEST(MasslessDirectors, NeedDamping) {
+  const auto text = sample_with("[cloth]", shell("director = \"massless\""));
+  for (const auto* kind : {"membrane", "bending"}) {
+    try {
+      (void)parse_case(text, "CASE.toml",
+                       {"model=shell", "dynamics.integrator=ida", std::string("material.damping.") + kind + "=0"});
+      FAIL() << kind;
+    } catch (const CaseError& error) {
+      EXPECT_EQ(error.key(), "shell.director");
+      EXPECT_NE(error.message().find(std::string("material.damping.") + kind), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(BadCaseOfTwoSlips, ReportsTheFirstInTheFile) {
   try {
     (void)parse_case(sample_with("cells", "zells") + "[zzz]\n", "CASE.toml");

@@ -93,6 +93,13 @@ inline Frame frame(const ResultHeader& header, std::uint64_t number) {
   frame.negative_pivots = static_cast<int>(number);
   frame.penetration = n + 10;
   frame.reactions = {{n, n + 1, n + 2}};
+  frame.moments = {{n + 3, n + 4, n + 5}};
+  if (header.element_fields) {
+    const auto elements = static_cast<Eigen::Index>(header.mesh.quads.size());
+    auto& e = frame.elements;
+    e = {entries(number, 5, 3 * elements), entries(number, 6, 3 * elements), entries(number, 7, 2 * elements),
+         entries(number, 8, 2 * elements), entries(number, 9, 3 * elements), entries(number, 10, 3 * elements)};
+  }
   return frame;
 }
 
@@ -115,6 +122,7 @@ inline std::string complaint(const ResultReader& reader) {
   const Eigen::Index size = 3 * reader.mesh().nodes();
   const auto energies = reader.energies();
   const auto reactions = reader.reactions();
+  const auto moments = reader.reaction_moments();
   const auto pivots = reader.negative_pivots();
   for (std::uint64_t f = 0; f < reader.frames(); ++f) {
     if (reader.frame_values()[f] != frame_time(f)) return at("time", f);
@@ -123,6 +131,14 @@ inline std::string complaint(const ResultReader& reader) {
     if (reader.contact_force(f) != entries(f, 3, size)) return at("contact force", f);
     if (energies.at("method_dissipated")[f] != static_cast<double>(f) + 8) return at("energy", f);
     if (reactions.at("left")[f].z() != static_cast<double>(f) + 2) return at("reaction", f);
+    if (moments.at("left")[f].x() != static_cast<double>(f) + 3) return at("reaction moment", f);
+    if (reader.has_element_fields()) {
+      const auto quads = static_cast<Eigen::Index>(reader.mesh().quads.size());
+      const auto e = reader.element_fields(f);
+      if (e.membrane_force != entries(f, 6, 3 * quads)) return at("membrane force", f);
+      if (e.shear_strain != entries(f, 7, 2 * quads)) return at("shear strain", f);
+      if (e.moment != entries(f, 10, 3 * quads)) return at("moment", f);
+    }
     if (pivots[f] != static_cast<std::int64_t>(f)) return at("negative pivots", f);
   }
   const auto steps = reader.step_columns();

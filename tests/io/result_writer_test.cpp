@@ -6,6 +6,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include "sundrape/io/result_layout.hpp"
+
 #include "result_samples.hpp"
 
 namespace sundrape {
@@ -46,6 +48,21 @@ TEST_F(AResult, IsReadableWithAllItsFramesWhileItIsWritten) {
     EXPECT_EQ(reader.status(), "running");
     EXPECT_EQ(samples::complaint(reader), "");
   }
+}
+
+TEST_F(AResult, KeepsTheFieldsOfAShell) {
+  auto header = samples::header(4, 3);
+  header.director = header.element_fields = true;
+  ResultWriter writer(file(), header);
+  for (std::uint64_t f = 0; f < 5; ++f) samples::append(writer, header, f);
+  writer.finish(ResultStatus::done, "");
+  const ResultReader reader(file());
+  EXPECT_TRUE(reader.has_director());
+  EXPECT_TRUE(reader.has_element_fields());
+  EXPECT_EQ(samples::complaint(reader), "");
+  for (const auto& [name, components] : layout::element_fields())
+    EXPECT_EQ(reader.file().dataset("/frames/element/" + std::string(name)).shape(),
+              (std::vector<std::uint64_t>{5, 16, static_cast<std::uint64_t>(components)}));
 }
 
 TEST_F(AResult, SaysWhatItWasMadeOf) {

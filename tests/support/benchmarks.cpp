@@ -11,6 +11,8 @@
 #include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/io/case_reader.hpp"
+#include "sundrape/linalg/block_incomplete_cholesky.hpp"
+#include "sundrape/linalg/conjugate_gradients.hpp"
 
 namespace sundrape {
 namespace {
@@ -74,10 +76,14 @@ std::unique_ptr<Integrator> integrator_of(const Benchmark& b) {
   const auto defaults = default_tolerances(d.rtol, b.model.size, b.model.gravity);
   options.atol_position = d.atol_position.value_or(defaults.position);
   options.atol_velocity = d.atol_velocity.value_or(defaults.velocity);
+  options.rate_slack = b.model.rate_slack;
   options.max_order = d.max_order;
   options.fixed_step = d.step.value_or(0);
   if (d.integrator == IntegratorKind::rk4) return make_rk4(system, options);
-  auto solver = make_linear_solver(SolverKind::conjugate_gradients);
+  // as in the command line's runs: the plain factorisation suits a shell
+  auto solver = b.model.has_directors()
+                    ? std::make_unique<ConjugateGradients>(std::make_unique<BlockIncompleteCholesky>(0.0))
+                    : make_linear_solver(SolverKind::conjugate_gradients);
   if (d.integrator == IntegratorKind::ida) return make_ida(system, std::move(solver), options);
   return make_cvode(system, std::move(solver), options);
 }

@@ -1,11 +1,14 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sundrape/force/bend_springs.hpp"
+#include "sundrape/force/clamp_springs.hpp"
 #include "sundrape/force/director_length.hpp"
 #include "sundrape/force/obstacle_contact.hpp"
+#include "sundrape/force/shell_gauges.hpp"
 #include "sundrape/io/case.hpp"
 #include "sundrape/io/result.hpp"
 #include "sundrape/mesh/edge_strains.hpp"
@@ -28,7 +31,9 @@ struct CaseModel {
   Vector rate_slack;           // how many times larger the errors of rates may be: rows, n; empty: 1
   const ObstacleContact* contact = nullptr;   // owned by the system; null without obstacles
   const DirectorLength* directors = nullptr;  // owned by the system; null of a particle net
+  std::vector<const ClampSprings*> clamps;    // owned by the system
   std::vector<const BendSprings*> bends;  // owned by the system; measured laws of warp and weft are terms of their own
+  std::optional<ShellGauges> gauges;      // of a shell
   std::vector<ReactionSet> reactions;
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
@@ -50,7 +55,11 @@ struct CaseModel {
 ///                    that find no edge, supports in conflict, a mesh that cannot be used
 [[nodiscard]] CaseModel build_model(const Case& c);
 
-/// Force that the cloth exerts on the nodes of a set: the force on them that nothing in the system balances [N].
-[[nodiscard]] Vector3 reaction(const System& system, const State& all, const std::vector<int>& nodes);
+/// What the cloth exerts on the nodes of a set: what nothing in the system balances.
+struct Reaction {
+  Vector3 force;   // [N]
+  Vector3 moment;  // about the mean position of the nodes, couples of clamped slopes and directors included [N m]
+};
+[[nodiscard]] Reaction reaction(const CaseModel& model, const State& all, const std::vector<int>& nodes);
 
 }  // namespace sundrape

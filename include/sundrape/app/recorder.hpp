@@ -18,6 +18,7 @@ struct Extremes {
   double largest_edge_strain = 0, smallest_edge_strain = 0;  // over all frames
   double deepest_penetration = 0;                            // over all accepted steps [m]
   double sharpest_bend = 0;                                  // over all frames [rad]
+  double largest_membrane_strain = 0;  // of a shell at the centres of its elements, over all frames
 };
 
 /// Turns states of a model into frames, probes and checkpoints of a result file, and keeps score of the extremes.

@@ -37,7 +37,14 @@ class ClampSprings final : public ForceTerm {
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
   void declare_pattern(Pattern& pattern) const override;
 
+  /// Σ (x_next − x_node) × force on `next` over the clamped nodes that are in `nodes` (N entries) [N m]: the moment
+  /// that their clamps put on the sheet.
+  [[nodiscard]] Vector3 couple(const State& state, const std::vector<bool>& nodes) const;
+
  private:
+  /// What draws the end of a spring's edge back, −force on `next` [N].
+  [[nodiscard]] Vector3 pull(const ClampSpring& spring, const State& state) const;
+
   std::vector<ClampSpring> springs_;
   double relaxation_time_;
   std::optional<MomentCurvature> law_;  // none: linear

@@ -50,6 +50,7 @@ struct ResultHeader {
   QuadMesh mesh;
   FrameVariable frame_variable = FrameVariable::time;
   bool director = false;               // whether frames hold directors
+  bool element_fields = false;         // whether frames hold strains and stress resultants of elements
   std::uint64_t expected_frames = 64;  // space is set aside for so many; more may follow
   std::vector<std::string> reaction_sets;
   std::vector<ProbeRecord> probes;
@@ -65,17 +66,29 @@ struct FrameEnergies {
   double method_dissipated = 0;  // lost (> 0) or gained (< 0) by the time integration itself so far
 };
 
+/// Strains and stress resultants at the centres of a shell's elements in warp–weft axes, element by element.
+struct ElementFields {
+  Vector membrane_strain;  // 3E: ε₁₁, ε₂₂, 2ε₁₂
+  Vector membrane_force;   // 3E: n₁₁, n₂₂, n₁₂ [N/m]
+  Vector shear_strain;     // 2E: γ₁, γ₂
+  Vector shear_force;      // 2E: q₁, q₂ [N/m]
+  Vector curvature;        // 3E: κ₁₁, κ₂₂, 2κ₁₂ [1/m]
+  Vector moment;           // 3E: m₁₁, m₂₂, m₁₂ [N]
+};
+
 /// One frame. Vectors of 3N hold three components a node.
 struct Frame {
   double variable = 0;        // time [s] or load factor
   Vector position, velocity;  // 3N [m], [m/s]
   Vector contact_force;       // 3N, on the cloth [N]; may be empty: zeros
   Vector director;            // 3N, where the header says so
+  ElementFields elements;     // where the header says so
   FrameEnergies energies;
   double residual = 0;             // |out-of-balance force| / |external force|
   int negative_pivots = -1;        // of the tangent; −1: not evaluated
   double penetration = 0;          // deepest, into an obstacle [m]
   std::vector<Vector3> reactions;  // force that the cloth exerts on each reaction set [N]
+  std::vector<Vector3> moments;    // its moment about the mean position of the set's nodes [N m]
 };
 
 using StatisticValue = std::variant<std::int64_t, double, std::string>;

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sundrape/io/growing_file.hpp"
@@ -26,6 +27,10 @@ struct Meaning {
 /// Names under /frames/energy, in the order of FrameEnergies, and its members in that order.
 [[nodiscard]] const std::vector<std::string>& energy_names();
 [[nodiscard]] std::vector<double> energy_values(const FrameEnergies& energies);
+
+/// Names under /frames/element with their numbers of components, in the order of ElementFields, and its members.
+[[nodiscard]] const std::vector<std::pair<std::string_view, int>>& element_fields();
+[[nodiscard]] std::vector<const Vector*> element_values(const ElementFields& fields);
 
 /// The growing parts of a result, in the order in which they are published.
 enum SeriesIndex : std::size_t { warnings, steps, probes, frames, count };

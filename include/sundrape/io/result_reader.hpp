@@ -51,6 +51,12 @@ class ResultReader {
   [[nodiscard]] std::vector<Vector3> contact_force_sum() const;                 // [N]
   [[nodiscard]] std::map<std::string, std::vector<Vector3>> reactions() const;  // by set, one a frame [N]
 
+  /// Of reactions about the mean position of each set's nodes; by set, one a frame [N m]; empty in older results.
+  [[nodiscard]] std::map<std::string, std::vector<Vector3>> reaction_moments() const;
+  [[nodiscard]] bool has_element_fields() const;
+  /// Strains and stress resultants of a shell's elements. @throws FileError  no such frame, or none kept
+  [[nodiscard]] ElementFields element_fields(std::size_t frame) const;
+
   [[nodiscard]] std::size_t steps() const { return steps_; }
   /// By name, one value a step.
   [[nodiscard]] std::map<std::string, std::vector<double>> step_columns() const;
@@ -65,6 +71,7 @@ class ResultReader {
 
  private:
   [[nodiscard]] Vector nodal(const std::string& path, std::size_t frame) const;
+  [[nodiscard]] std::map<std::string, std::vector<Vector3>> by_set(const std::string& group) const;
   [[nodiscard]] std::vector<double> per_frame(const std::string& path) const;
   [[nodiscard]] std::vector<Vector3> vectors(const std::string& path, std::size_t rows) const;
   void read_mesh();

@@ -14,7 +14,7 @@ struct XdmfContent {
   std::string result_file;  // name of the HDF5 file, relative to the description
   std::size_t nodes = 0, quads = 0;
   std::size_t rows = 0;  // frames that the description covers
-  bool director = false;
+  bool director = false, element_fields = false;
 };
 
 /// The XDMF 3 text of a result: one grid a frame, whose geometry, velocity and contact force are slabs of the HDF5

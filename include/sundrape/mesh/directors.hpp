@@ -16,4 +16,8 @@ namespace sundrape {
 [[nodiscard]] std::vector<Vector3> carried_directors(const QuadMesh& mesh, const std::vector<Vector3>& directors,
                                                      const std::vector<Vector3>& from, const std::vector<Vector3>& to);
 
+/// Largest angle between the directors at the two ends of an edge [rad].
+/// @param directors  3N, of any length
+[[nodiscard]] double sharpest_turn(const QuadMesh& mesh, ConstVectorRef directors);
+
 }  // namespace sundrape
