@@ -91,6 +91,7 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
   const double modulus = std::sqrt(fabric.warp_membrane * fabric.weft_membrane);
   const auto areas = tributary_areas(mesh);
   std::vector<DirectorSpring> springs;
+  springs.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) springs.push_back({n + i, modulus * areas[static_cast<std::size_t>(i)]});
   sheet.terms.push_back(
       std::make_unique<DirectorLength>(std::move(springs), sheet.director_length, fabric.damping.membrane));

@@ -82,7 +82,7 @@ inline std::size_t store_transposed(const Batch* numbers, double* first) {
     a[i] = __builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14);
     a[i + 1] = __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15);
   }
-  for (const std::size_t i : {0, 1, 4, 5}) {
+  for (const std::size_t i : {0UL, 1UL, 4UL, 5UL}) {
     b[i] = __builtin_shufflevector(a[i], a[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
     b[i + 2] = __builtin_shufflevector(a[i], a[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
   }

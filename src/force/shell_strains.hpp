@@ -129,7 +129,7 @@ class Curvature {
   /// Numbers of the three strains at point of integration g.
   static constexpr std::array<std::size_t, 3> at_point(std::size_t g) { return {g / 2, 2 + g % 2, 4 + g}; }
 
-  Curvature(const Modes& q, CurvatureMeasure measure) : q_(q) {
+  Curvature(const Modes& q, CurvatureMeasure measure) {
     for (std::size_t k = 0; k < 4; ++k) {
       auto& bent = bends_[k];
       const Batch s(k % 2 == 0 ? -integration_point : integration_point);
@@ -252,7 +252,6 @@ class Curvature {
     g[db] = v.side * u.x + u.side * v.x;
   }
 
-  const Modes& q_;
   std::array<Bend, 4> bends_;
 };
 
