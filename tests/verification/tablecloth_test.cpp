@@ -1,21 +1,16 @@
 // B4: the tablecloth of the chapter (§4.4) on the 8 cm table of its text and on the 4 cm table that its positions fit.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sundrape/statics/stability.hpp"
-
-#include "support/benchmarks.hpp"
+#include "support/square_drape.hpp"
 
 namespace sundrape {
 namespace {
 
-constexpr double side = 0.2;                  // of the cloth, L [m]
-constexpr double thickness = 0.54229e-3;      // [m]
-constexpr double same_branch = 0.002 * side;  // 0.2 % of L: two equilibria that are one [m]
+using namespace square_drape;
 
 using Settings = std::vector<std::string>;
 
@@ -34,126 +29,6 @@ const std::string unperturbed = "cloth.waviness.amplitude=\"0 mm\"";
 /// Makes the damped case fall on a table of another case.
 Settings damped_on(const Table& table) {
   return {fmt::format("obstacle.0.size=[\"{0}\",\"{0}\",\"8 cm\"]", table.size)};
-}
-
-/// What a cloth at rest, or almost, says of itself.
-struct Rest {
-  double energy = 0;  // stored [J]
-  double residual = 0;
-  double carried = 0;      // by the table, over the weight
-  double penetration = 0;  // [m]
-  double strain = 0;       // largest of an edge
-  int negative_pivots = -1;
-};
-
-Rest look(const Benchmark& b, const Vector& q) {
-  const State all{0, q, Vector::Zero(q.size())};
-  const auto contact = b.model.contact->report(all);
-  Rest r;
-  r.energy = b.model.system->energies(all).stored();
-  r.residual = relative_residual(*b.model.system, all, 0);
-  r.carried = contact.total_forces.at(0).z() / b.model.weight;
-  r.penetration = contact.deepest_penetration;
-  r.strain = b.model.edge_strains.range(q).second;
-  r.negative_pivots = negative_pivots(*b.model.system, all, 1e-3 * std::sqrt(b.model.gravity / side)).value_or(-1);
-  return r;
-}
-
-int node_at(const Benchmark& b, double x, double y) {
-  const auto& rest = b.model.mesh.reference;
-  const Vector3 there(x, y, 0);
-  return static_cast<int>(std::ranges::min_element(rest, {}, [&](const Vector3& p) { return (p - there).norm(); }) -
-                          rest.begin());
-}
-
-/// One of the eight symmetries of the square: quarter turns, after a reflection y → −y if asked for.
-Matrix3 symmetry(int quarter_turns, bool reflected) {
-  Matrix3 turn = Matrix3::Identity();
-  for (int k = 0; k < quarter_turns; ++k) turn = (Matrix3() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished() * turn;
-  return turn * Vector3(1, reflected ? -1 : 1, 1).asDiagonal();
-}
-
-struct Distance {
-  double rms = 0, max = 0;  // over the nodes [m]
-};
-
-/// How far `q` is from `other` moved by a symmetry of the square.
-Distance distance(const Benchmark& b, const Vector& q, const Vector& other, const Matrix3& s) {
-  Distance d;
-  const auto& rest = b.model.mesh.reference;
-  for (int i = 0; i < b.model.mesh.nodes(); ++i) {
-    const Vector3 image = s * rest[static_cast<std::size_t>(i)];
-    const double apart = (point(q, node_at(b, image.x(), image.y())) - s * point(other, i)).norm();
-    d.rms += apart * apart;
-    d.max = std::max(d.max, apart);
-  }
-  d.rms = std::sqrt(d.rms / b.model.mesh.nodes());
-  return d;
-}
-
-/// The same up to the symmetries of the square, all of which a drape on a square table has.
-Distance nearest_image(const Benchmark& b, const Vector& q, const Vector& other) {
-  Distance nearest{1, 1};
-  for (const bool reflected : {false, true})
-    for (int turns = 0; turns < 4; ++turns)
-      if (const auto d = distance(b, q, other, symmetry(turns, reflected)); d.rms < nearest.rms) nearest = d;
-  return nearest;
-}
-
-/// Where a quarter turn leaves the drape is a four-fold one; if reflections do as well its folds stand straight,
-/// otherwise all four corners are folded over the same way round. Otherwise the larger of the two decides what it is
-/// closest to.
-std::string branch(const Benchmark& b, const Vector& q) {
-  const double turn = distance(b, q, q, symmetry(1, false)).max;
-  const double reflection = distance(b, q, q, symmetry(0, true)).max;
-  std::string name = reflection < same_branch ? "straight corners" : "corners folded over";
-  if (turn >= same_branch) name += fmt::format(", a quarter turn leaves it within {:.1f} mm", 1e3 * turn);
-  if (reflection >= same_branch) name += fmt::format(", a reflection within {:.1f} mm", 1e3 * reflection);
-  return name;
-}
-
-struct Place {
-  Vector3 corner;   // distances from the middle along both sides, the larger first, and the height over the table [m]
-  Vector3 midside;  // distance from the middle at right angles to the side, along the side, height [m]
-};
-
-Place place(const Benchmark& b, const Vector& q) {
-  Place p{point(q, node_at(b, side / 2, side / 2)), point(q, node_at(b, side / 2, 0))};
-  if (p.corner.y() > p.corner.x()) std::swap(p.corner.x(), p.corner.y());
-  return p;
-}
-
-void print(const std::string& name, const Benchmark& b, const Vector& q) {
-  const Rest r = look(b, q);
-  const Place p = place(b, q);
-  fmt::print(
-      "{}: energy {:.5f} mJ, residual {:.1e}, table carries weight {:+.1e}, penetration {:.4f} mm, edge strain {:.2f} "
-      "%, "
-      "{} negative pivots\n    corner ({:.2f}, {:.2f}, {:.2f}) cm, midside ({:.2f}, {:.2f}) cm; {}\n",
-      name, 1e3 * r.energy, r.residual, r.carried - 1, 1e3 * r.penetration, 100 * r.strain, r.negative_pivots,
-      100 * p.corner.x(), 100 * p.corner.y(), 100 * p.corner.z(), 100 * p.midside.x(), 100 * p.midside.z(),
-      branch(b, q));
-}
-
-void expect_rest(const Benchmark& b, const Vector& q) {
-  const Rest r = look(b, q);
-  EXPECT_LE(r.residual, 1e-6);
-  EXPECT_NEAR(r.carried, 1, 1e-4);
-  EXPECT_LE(r.penetration, 0.1 * thickness);
-  EXPECT_EQ(r.negative_pivots, 0);
-}
-
-Vector rest_of(const std::string& name, const Benchmark& b) {
-  const auto found = equilibrium(b);
-  print(fmt::format("{}, {} iterations", name, found.result.iterations), b, found.q);
-  return found.q;
-}
-
-double deepest(const Benchmark& b, const Motion& m) {
-  double depth = 0;
-  for (const auto& q : m.position)
-    depth = std::max(depth, b.model.contact->report({0, q, Vector::Zero(q.size())}).deepest_penetration);
-  return depth;
 }
 
 TEST(Tablecloth, RestsStablyOnATableThatCarriesItsWeight) {
@@ -193,10 +68,10 @@ void falls_to_rest(const Table& table) {
 
   const auto statics = benchmark(table.at_rest);
   const Vector relaxed = rest_of("relaxed from flat", statics);
-  const Distance apart = nearest_image(b, end, relaxed);
+  const auto apart = nearest_image(b, end, relaxed);
   b.model.initial = end;
   const Vector polished = equilibrium(b, 1e-9).q;
-  const Distance moved = distance(b, end, polished, Matrix3::Identity());
+  const auto moved = distance(b, end, polished, Matrix3::Identity());
   fmt::print(
       "    fall and statics from flat are {:.3f} mm (RMS), {:.3f} mm (max) apart, up to symmetry; relaxing the end of "
       "the fall "
@@ -220,7 +95,7 @@ void swings_back(const Table& table, double speed) {
   const auto swing = motion(*b.model.system, *integrator, b.c.output.frame_times, rest, v);
   double away = 0;
   for (const auto& q : swing.position) away = std::max(away, distance(b, q, rest, Matrix3::Identity()).max);
-  const Distance d = distance(b, swing.position.back(), rest, Matrix3::Identity());
+  const auto d = distance(b, swing.position.back(), rest, Matrix3::Identity());
   fmt::print("    shaken, it goes {:.3f} mm away and comes back within {:.1e} mm (RMS), {:.1e} mm (max)\n", 1e3 * away,
              1e3 * d.rms, 1e3 * d.max);
   b.model.initial = swing.position.back();
@@ -246,7 +121,7 @@ TEST(TableclothVerification, EveryWavinessLeadsToAStableRest) {
 // corner (5.2, 5.2, −4.4) cm from the table's corner, midside (2.6, −5.4) cm from its edge. A symmetric start finds it.
 TEST(TableclothVerification, StraightCornersAreWhereTheyWereDerivedToBe) {
   const Vector3 corner(0.092, 0.092, -0.044), midside(0.066, 0, -0.054);
-  Place p;
+  square_drape::Place p;
   for (const int n : {20, 40, 80}) {
     const auto b = benchmark(table_of_text.at_rest, {unperturbed, cells(n)});
     p = place(b, rest_of(fmt::format("8 cm, {}²", n + 1), b));
