@@ -32,6 +32,13 @@ bool is_merged(std::string_view key) {
   return std::find(merged_tables.begin(), merged_tables.end(), key) != merged_tables.end();
 }
 
+/// Whether a table that stands beside a fabric refines the fabric's own: damping and the net always, bending where it
+/// brings no law or numbers of its own, as `bending.form` alone does.
+bool refines(std::string_view key, const toml::table& given) {
+  if (key == "bending") return !given.contains("law") && !given.contains("rigidity") && !given.contains("coefficients");
+  return is_merged(key);
+}
+
 /// Whether the table has a key that says otherwise what `key` would say.
 bool has_alternative(const toml::table& material, std::string_view key) {
   for (const auto& ways : alternatives)
@@ -84,7 +91,7 @@ void move_missing(toml::table& from, toml::table& to, bool top) {
   for (auto&& [key, node] : from) {
     auto* inner = node.as_table();
     auto* there = to.get(key.str());
-    if (top && is_merged(key.str()) && inner != nullptr && there != nullptr && there->is_table())
+    if (top && inner != nullptr && there != nullptr && there->is_table() && refines(key.str(), *there->as_table()))
       move_missing(*inner, *there->as_table(), false);
     else if (there == nullptr && !(top && has_alternative(given, key.str())))
       node.visit([&, &name = key](auto& value) { to.insert_or_assign(name, std::move(value)); });

@@ -117,6 +117,15 @@ TEST_F(FabricLibrary, ReplacesBendingAsAWhole) {
   EXPECT_TRUE(f.measured_bending.has_value());
 }
 
+TEST_F(FabricLibrary, KeepsTheLawOfBendingWhereOnlyItsFormIsGiven) {
+  for (const Fabric& f : {fabric("fabric = \"cotton-twill-polynomial\"\nbending = { form = \"paper\" }"),
+                          fabric("fabric = \"cotton-twill-polynomial\"", {"material.bending.form=paper"})}) {
+    ASSERT_TRUE(f.measured_bending.has_value());
+    EXPECT_EQ(f.measured_bending->form, PlateBending::Form::paper);
+    EXPECT_DOUBLE_EQ(f.measured_bending->warp.max_curvature(), 250);
+  }
+}
+
 TEST_F(FabricLibrary, LetsOneAlternativeReplaceTheOthers) {
   write("fabrics/weave.toml", orthotropic);
   EXPECT_DOUBLE_EQ(fabric("fabric = \"weave\"\ndensity_area = 0.3").area_density, 0.3);
