@@ -113,7 +113,10 @@ void scale(Stiffness<strains>& c, double factor) {
 class Shell::Element {
  public:
   Element(const Shell& shell, std::size_t first, const State& state)
-      : shell_(shell), first_(first), q_(shell_modes(state.q)), curvature_(q_, shell.options_.curvature) {
+      : shell_(shell),
+        first_(first),
+        q_(shell_modes(state.q)),
+        curvature_(q_, shell.options_.curvature, load(shell.table_, Number::spans, first)) {
     const auto& damping = shell.section_;
     damped_ = damping.membrane_damping > 0 || damping.bending_damping > 0;
     if (damped_) v_ = shell_modes(state.v);
@@ -346,6 +349,8 @@ Shell::Shell(const std::vector<ShellElement>& elements, const ShellSection& sect
       for (std::size_t i = 0; i < 9; ++i) row.numbers_of[Number::frame + 9 * g + i] = to_axes.data()[i];
       row.numbers_of[Number::area + g] = reference.area[g];
     }
+    const double spans = e.spans ? 1 : 0;
+    row.numbers_of[Number::spans] = spans;
     // strains at rest, by the same arithmetic as later on
     std::array<Batch3, 4> x, t;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -358,7 +363,7 @@ Shell::Shell(const std::vector<ShellElement>& elements, const ShellSection& sect
     };
     put_list(Number::membrane_rest, Membrane::values(rest));
     put_list(Number::shear_rest, TransverseShear::values(rest));
-    put_list(Number::curvature_rest, Curvature(rest, options.curvature).values());
+    put_list(Number::curvature_rest, Curvature(rest, options.curvature, Batch(spans)).values());
   }
   table_ = ElementTable<8, numbers>(rows);
 }

@@ -26,6 +26,7 @@ std::vector<ShellElement> shell_elements(const QuadMesh& mesh, const std::vector
   for (std::size_t e = 0; e < elements.size(); ++e) {
     auto& element = elements[e];
     element.nodes = mesh.quads[e];
+    element.spans = spans[e];
     element.hourglass_factor = hourglass_factor >= 0 ? hourglass_factor : spans[e] ? 1 : 0.1;
     for (std::size_t k = 0; k < 4; ++k) {
       const auto i = static_cast<std::size_t>(element.nodes[k]);

@@ -35,7 +35,8 @@ struct ShellGauges::Gauge {
 ShellGauges::ShellGauges(std::vector<ShellElement> elements, const ShellSection& section, const ShellOptions& options)
     : elements_(std::move(elements)), section_(section), options_(options) {}
 
-ShellGauges::Gauge ShellGauges::gauge(const std::array<Vector3, 4>& x, const std::array<Vector3, 4>& t) const {
+ShellGauges::Gauge ShellGauges::gauge(const std::array<Vector3, 4>& x, const std::array<Vector3, 4>& t,
+                                      bool spans) const {
   const auto by_xi = [](const auto& v) -> Vector3 { return 0.25 * (v[1] + v[2] - v[0] - v[3]); };
   const auto by_eta = [](const auto& v) -> Vector3 { return 0.25 * (v[2] + v[3] - v[0] - v[1]); };
   const auto by_both = [](const auto& v) -> Vector3 { return 0.25 * (v[0] + v[2] - v[1] - v[3]); };
@@ -45,8 +46,11 @@ ShellGauges::Gauge ShellGauges::gauge(const std::array<Vector3, 4>& x, const std
   Gauge g;
   g.metric = {0.5 * x1.squaredNorm(), 0.5 * x2.squaredNorm(), x1.dot(x2)};
   g.slant = {x1.dot(mean) + by_both(x).dot(t2), x2.dot(mean) + by_both(x).dot(t1)};  // means of the tied edges
-  g.bend = {(geodesic ? geodesic_factor(t1.norm()) : 1) * x1.dot(t1),
-            (geodesic ? geodesic_factor(t2.norm()) : 1) * x2.dot(t2), x1.dot(t2) + x2.dot(t1)};
+  const auto lateral = [&](const Vector3& chord) {                                   // as the kernel has it
+    return geodesic && spans ? 1 / std::sqrt(1 - std::min(chord.squaredNorm(), 0.9)) : 1.0;
+  };
+  g.bend = {lateral(t2) * (geodesic ? geodesic_factor(t1.norm()) : 1) * x1.dot(t1),
+            lateral(t1) * (geodesic ? geodesic_factor(t2.norm()) : 1) * x2.dot(t2), x1.dot(t2) + x2.dot(t1)};
   return g;
 }
 
@@ -62,7 +66,7 @@ ShellReadings ShellGauges::read(ConstVectorRef q) const {
       x[k] = point(q, e.nodes[k]);
       t[k] = point(q, e.directors[k]) / options_.director_length;
     }
-    const auto now = gauge(x, t), rest = gauge(e.position, e.director);
+    const auto now = gauge(x, t, e.spans), rest = gauge(e.position, e.director, e.spans);
     const auto axes = centre_axes(e);
     const Vector3 strain = axes.strain * (now.metric - rest.metric), curvature = axes.strain * (now.bend - rest.bend);
     const Eigen::Vector2d shear = axes.covariant.transpose() * (now.slant - rest.slant);

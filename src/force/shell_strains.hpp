@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "geodesic_factor.hpp"
+#include "lateral_factor.hpp"
 #include "shell_reference.hpp"
 
 namespace sundrape::shell {
@@ -110,14 +111,15 @@ struct TransverseShear {
 
 /// κ₁₁ at η = ∓1/√3, κ₂₂ at ξ = ∓1/√3, 2κ₁₂ at the four points of integration.
 ///
-/// κ₁₁ = F(|t,ξ|²) x,ξ·t,ξ, κ₂₂ likewise, 2κ₁₂ = x,ξ·t,η + x,η·t,ξ: (5), the first two with the geodesic factor.
+/// κ₁₁ = F(|t,ξ|²) N(|t,η|²) x,ξ·t,ξ, κ₂₂ likewise, 2κ₁₂ = x,ξ·t,η + x,η·t,ξ: (5), the first two with the geodesic
+/// factor F and, in elements that span the sheet, the lateral factor N of the other derivative at the centre.
 class Curvature {
  public:
   static constexpr std::size_t strains = 8;
   static constexpr bool touches(std::size_t k, std::size_t m) {
     if (m == d) return false;
     if (k >= 4) return true;
-    return m == b || m == db || (k < 2 ? m == a || m == da : m == c || m == dc);
+    return k < 2 ? m != c : m != a;
   }
   /// Strains that meet at a point of integration.
   static constexpr bool couples(std::size_t k, std::size_t l) {
@@ -129,29 +131,35 @@ class Curvature {
   /// Numbers of the three strains at point of integration g.
   static constexpr std::array<std::size_t, 3> at_point(std::size_t g) { return {g / 2, 2 + g % 2, 4 + g}; }
 
-  Curvature(const Modes& q, CurvatureMeasure measure) {
+  /// @param spans  1 in elements that span the sheet, else 0
+  Curvature(const Modes& q, CurvatureMeasure measure, const Batch& spans) {
     for (std::size_t k = 0; k < 4; ++k) {
       auto& bent = bends_[k];
       const Batch s(k % 2 == 0 ? -integration_point : integration_point);
       bent.side = s;
       bent.x = q[k < 2 ? a : c] + s * q[b];
       bent.e = q[k < 2 ? da : dc] + s * q[db];
+      bent.l = q[k < 2 ? dc : da];
       bent.product = bent.x.dot(bent.e);
       if (measure == CurvatureMeasure::geodesic) {
         const GeodesicFactor f(bent.e.squaredNorm());
         bent.f = f.value;
         bent.f1 = f.first;
         bent.f2 = f.second;
+        const LateralFactor n(bent.l.squaredNorm(), spans);
+        bent.n = n.value;
+        bent.n1 = n.first;
+        bent.n2 = n.second;
       } else {
-        bent.f = Batch(1.0);
-        bent.f1 = bent.f2 = Batch(0.0);
+        bent.f = bent.n = Batch(1.0);
+        bent.f1 = bent.f2 = bent.n1 = bent.n2 = Batch(0.0);
       }
     }
   }
 
   [[nodiscard]] std::array<Batch, strains> values() const {
     std::array<Batch, strains> k;
-    for (std::size_t i = 0; i < 4; ++i) k[i] = bends_[i].f * bends_[i].product;
+    for (std::size_t i = 0; i < 4; ++i) k[i] = bends_[i].f * bends_[i].n * bends_[i].product;
     for (std::size_t g = 0; g < 4; ++g) {
       const Bend &u = bends_[g / 2], &v = bends_[2 + g % 2];
       k[4 + g] = u.x.dot(v.e) + v.x.dot(u.e);
@@ -163,8 +171,9 @@ class Curvature {
     Gradient<strains> g;
     for (std::size_t i = 0; i < 4; ++i) {
       const Bend& u = bends_[i];
-      const Batch3 by_x = u.f * u.e, by_e = u.f * u.x + Batch(2.0) * u.f1 * u.product * u.e;
-      set_bend(g[i], i, u, by_x, by_e);
+      const Batch3 by_x = u.f * u.n * u.e, by_e = u.n * (u.f * u.x + Batch(2.0) * u.f1 * u.product * u.e),
+                   by_l = Batch(2.0) * u.f * u.n1 * u.product * u.l;
+      set_bend(g[i], i, u, by_x, by_e, by_l);
     }
     for (std::size_t k = 0; k < 4; ++k) {
       const Bend &u = bends_[k / 2], &v = bends_[2 + k % 2];
@@ -183,11 +192,19 @@ class Curvature {
       r.side = u.side;
       r.x = v[i < 2 ? a : c] + u.side * v[b];
       r.e = v[i < 2 ? da : dc] + u.side * v[db];
-      const Batch along = Batch(2.0) * u.e.dot(r.e), product = u.x.dot(r.e) + u.e.dot(r.x);  // rates of |e|² and x·e
-      const Batch3 by_x = u.f * r.e + u.f1 * along * u.e;
-      const Batch3 by_e = u.f * r.x + u.f1 * along * u.x +
-                          Batch(2.0) * (u.f1 * product * u.e + u.f2 * along * u.product * u.e + u.f1 * u.product * r.e);
-      set_bend(g[i], i, u, by_x, by_e);
+      r.l = v[i < 2 ? dc : da];
+      const Batch two(2.0);
+      // rates of |e|², |l|² and x·e, and of F, F', N, N'
+      const Batch along = two * u.e.dot(r.e), across = two * u.l.dot(r.l), product = u.x.dot(r.e) + u.e.dot(r.x);
+      const Batch f = u.f1 * along, f1 = u.f2 * along, n = u.n1 * across, n1 = u.n2 * across;
+      const Batch both = f * u.n + u.f * n;
+      const Batch3 by_x = both * u.e + u.f * u.n * r.e;
+      const Batch3 by_e =
+          both * u.x + u.f * u.n * r.x +
+          two * (((f1 * u.n + u.f1 * n) * u.product + u.f1 * u.n * product) * u.e + u.f1 * u.n * u.product * r.e);
+      const Batch3 by_l =
+          two * (((f * u.n1 + u.f * n1) * u.product + u.f * u.n1 * product) * u.l + u.f * u.n1 * u.product * r.l);
+      set_bend(g[i], i, u, by_x, by_e, by_l);
     }
     for (std::size_t k = 0; k < 4; ++k) set_twist(g[4 + k], rates[k / 2], rates[2 + k % 2]);
     return g;
@@ -196,12 +213,17 @@ class Curvature {
   void add_geometric(const std::array<Batch, strains>& m, Blocks& h) const {
     for (std::size_t i = 0; i < 4; ++i) {
       const Bend& u = bends_[i];
-      const Batch two = Batch(2.0) * m[i] * u.f1, s = u.side;
+      const Batch two = Batch(2.0) * m[i] * u.f1 * u.n, s = u.side;
       Batch3x3 xe = (two * u.e) * u.e.transpose();  // ∂²κ/∂x∂e
-      xe.diagonal().array() += m[i] * u.f;
-      const Batch3 mixed = two * u.x + Batch(2.0) * m[i] * u.f2 * u.product * u.e;
+      xe.diagonal().array() += m[i] * u.f * u.n;
+      const Batch3 mixed = two * u.x + Batch(2.0) * m[i] * u.f2 * u.n * u.product * u.e;
       Batch3x3 ee = mixed * u.e.transpose() + u.e * mixed.transpose();
       ee.diagonal().array() += two * u.product;
+      const Batch3 lateral = Batch(2.0) * m[i] * u.n1 * u.l;
+      const Batch3x3 xl = (u.f * u.e) * lateral.transpose();
+      const Batch3x3 el = (u.f * u.x + Batch(2.0) * u.f1 * u.product * u.e) * lateral.transpose();
+      Batch3x3 ll = (Batch(4.0) * m[i] * u.f * u.n2 * u.product * u.l) * u.l.transpose();
+      ll.diagonal().array() += Batch(2.0) * m[i] * u.f * u.n1 * u.product;
       const Mode x = i < 2 ? a : c, e = i < 2 ? da : dc;
       h[x][e] += xe;
       h[b][db] += (s * s) * xe;
@@ -213,6 +235,17 @@ class Curvature {
         h[e][db] += s * ee;  // ee is symmetric
       else
         h[db][e] += s * ee;
+      const Mode l = i < 2 ? dc : da;
+      h[x][l] += xl;
+      h[b][l] += s * xl;
+      h[l][l] += ll;
+      if (l == dc) {
+        h[e][l] += el;
+        h[db][l] += s * el;
+      } else {
+        h[l][e] += el.transpose();
+        h[l][db] += s * el.transpose();
+      }
     }
     const Batch p(integration_point);
     const Batch sum = m[4] + m[5] + m[6] + m[7], by_xi = p * (m[5] + m[7] - m[4] - m[6]),
@@ -230,17 +263,19 @@ class Curvature {
   /// One of the four curvatures: derivatives of position and director along ξ (or η) on a line η (or ξ) = side.
   struct Bend {
     Batch side;
-    Batch3 x, e;
+    Batch3 x, e, l;   // l: the director's derivative along the other coordinate, at the centre
     Batch product;    // x·e
-    Batch f, f1, f2;  // the factor and its derivatives by |e|²
+    Batch f, f1, f2;  // the geodesic factor and its derivatives by |e|²
+    Batch n, n1, n2;  // the lateral factor and its derivatives by |l|²
   };
 
   static void set_bend(std::array<Batch3, modes>& g, std::size_t i, const Bend& u, const Batch3& by_x,
-                       const Batch3& by_e) {
+                       const Batch3& by_e, const Batch3& by_l) {
     g[i < 2 ? a : c] = by_x;
     g[b] = u.side * by_x;
     g[i < 2 ? da : dc] = by_e;
     g[db] = u.side * by_e;
+    g[i < 2 ? dc : da] = by_l;
   }
   /// u along ξ, v along η: ∂(u.x·v.e + v.x·u.e)
   static void set_twist(std::array<Batch3, modes>& g, const Bend& u, const Bend& v) {

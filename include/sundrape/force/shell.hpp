@@ -47,7 +47,8 @@ class Shell final : public ForceTerm {
     curvature_rest = bending + 24,  // 8
     frame = curvature_rest + 8,     // 3 × 3 at each point, not symmetric
     area = frame + 36,              // 4
-    numbers = area + 4
+    spans = area + 4,               // 1 in elements that span the sheet, else 0
+    numbers = spans + 1
   };
   class Element;
 

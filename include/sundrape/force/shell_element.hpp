@@ -37,6 +37,7 @@ struct ShellElement {
   std::array<Vector3, 4> position, director;  // at rest [m], [-]
   std::array<Eigen::Vector2d, 4> material;    // warp and weft coordinates [m]
   double hourglass_factor = 0.1;              // of the centre field
+  bool spans = false;                         // reaches from one edge of the sheet to the other
 };
 
 /// The elements of a mesh whose node i is point i and whose director i is point N + i.

@@ -33,7 +33,7 @@ class ShellGauges {
 
  private:
   struct Gauge;
-  [[nodiscard]] Gauge gauge(const std::array<Vector3, 4>& x, const std::array<Vector3, 4>& t) const;
+  [[nodiscard]] Gauge gauge(const std::array<Vector3, 4>& x, const std::array<Vector3, 4>& t, bool spans) const;
 
   std::vector<ShellElement> elements_;
   ShellSection section_;
