@@ -85,7 +85,7 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
   const auto section = section_of(c);
   const auto measure = c.shell.bending == ShellBending::geodesic ? CurvatureMeasure::geodesic : CurvatureMeasure::chord;
   const ShellOptions options{membrane_field(c.shell.membrane), measure, sheet.director_length};
-  const auto elements = shell_elements(mesh, directors, c.shell.hourglass_factor.value_or(-1));
+  const auto elements = shell_elements(mesh, directors, c.shell.hourglass_factor);
   sheet.terms.push_back(std::make_unique<Shell>(elements, section, options));
   sheet.gauges.emplace(elements, section, options);
   const double modulus = std::sqrt(fabric.warp_membrane * fabric.weft_membrane);

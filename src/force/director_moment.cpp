@@ -2,14 +2,9 @@
 
 #include <array>
 
-#include <Eigen/Geometry>
+#include "couple.hpp"
 
 namespace sundrape {
-namespace {
-
-Vector3 couple(const Vector3& moment, const Vector3& t) { return moment.cross(t) / t.squaredNorm(); }
-
-}  // namespace
 
 DirectorMoment::DirectorMoment(std::vector<LoadedDirector> directors, Ramp ramp)
     : directors_(std::move(directors)), ramp_(ramp) {}
@@ -27,11 +22,8 @@ void DirectorMoment::add_force(const State& state, VectorRef f) const {
 
 void DirectorMoment::add_tangent(const State& state, double dq, double /*dv*/, Assembler& tangent) const {
   const double share = dq * ramp_.at(state.time);
-  for (std::size_t k = 0; k < directors_.size(); ++k) {
-    const Vector3 t = point(state.q, directors_[k].point), m = share * directors_[k].moment;
-    const double square = t.squaredNorm();
-    tangent.add_diagonal(k, 0, cross_matrix(m) / square - 2 * m.cross(t) * t.transpose() / (square * square));
-  }
+  for (std::size_t k = 0; k < directors_.size(); ++k)
+    tangent.add_diagonal(k, 0, couple_by_arm(share * directors_[k].moment, point(state.q, directors_[k].point)));
 }
 
 void DirectorMoment::declare_pattern(Pattern& pattern) const {

@@ -2,13 +2,12 @@
 
 #include <array>
 
-#include <Eigen/Geometry>
+#include "couple.hpp"
 
 namespace sundrape {
 namespace {
 
 Vector3 edge(const LoadedEdge& l, ConstVectorRef x) { return point(x, l.end) - point(x, l.inner); }
-Vector3 couple(const Vector3& moment, const Vector3& e) { return moment.cross(e) / e.squaredNorm(); }
 
 }  // namespace
 
@@ -32,9 +31,7 @@ void EdgeMoment::add_force(const State& state, VectorRef f) const {
 void EdgeMoment::add_tangent(const State& state, double dq, double /*dv*/, Assembler& tangent) const {
   const double share = dq * ramp_.at(state.time);
   for (std::size_t k = 0; k < edges_.size(); ++k) {
-    const Vector3 e = edge(edges_[k], state.q), m = share * edges_[k].moment;
-    const double square = e.squaredNorm();
-    Matrix3 by_edge = cross_matrix(m) / square - 2 * m.cross(e) * e.transpose() / (square * square);
+    Matrix3 by_edge = couple_by_arm(share * edges_[k].moment, edge(edges_[k], state.q));
     if (!tangent.keeps_unsymmetric()) by_edge = Matrix3(0.5 * (by_edge + by_edge.transpose()));
     tangent.add_diagonal(k, 0, by_edge);
     tangent.add_diagonal(k, 1, by_edge);

@@ -148,7 +148,7 @@ class Shell::Element {
     const auto k = rates<Curvature>(curvature_.gradient(), v_);
     return Batch(shell_.section_.membrane_damping) *
                (dot(s, multiply<Membrane>(membrane_, s)) + dot(t, multiply<TransverseShear>(shear_, t))) +
-           Batch(shell_.section_.bending_damping) * dot(k, viscous_moments(k));
+           Batch(shell_.section_.bending_damping) * dot(k, linear_moments(k));
   }
 
   /// By the modes.
@@ -255,11 +255,12 @@ class Shell::Element {
     if (damped_) add_scaled(s, rates<TransverseShear>(g, v_), shell_.section_.membrane_damping);
     return multiply<TransverseShear>(shear_, s);
   }
-  [[nodiscard]] std::array<Batch, 8> viscous_moments(const std::array<Batch, 8>& rate) const {
-    return multiply<Curvature>(gathered(bending_), rate);
+  /// By the rigidities of linear bending, or of a nonlinear law at κ = 0: of curvatures, or of their rates.
+  [[nodiscard]] std::array<Batch, 8> linear_moments(const std::array<Batch, 8>& curvatures) const {
+    return multiply<Curvature>(gathered(bending_), curvatures);
   }
   void add_viscous_moments(const Gradient<8>& g, std::array<Batch, 8>& moments) const {
-    if (damped_) add_scaled(moments, viscous_moments(rates<Curvature>(g, v_)), shell_.section_.bending_damping);
+    if (damped_) add_scaled(moments, linear_moments(rates<Curvature>(g, v_)), shell_.section_.bending_damping);
   }
   template <std::size_t strains>
   static void add_scaled(std::array<Batch, strains>& to, const std::array<Batch, strains>& what, double factor) {
@@ -283,7 +284,7 @@ class Shell::Element {
     Bent b;
     if (shell_.section_.bending.form() == PlateBending::Form::linear) {
       b.tangents = bending_;
-      b.moments = viscous_moments(k);
+      b.moments = linear_moments(k);
       b.energy = Batch(0.5) * dot(k, b.moments);
       return b;
     }

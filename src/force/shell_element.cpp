@@ -20,14 +20,14 @@ std::vector<bool> spanning(const QuadMesh& mesh) {
 }  // namespace
 
 std::vector<ShellElement> shell_elements(const QuadMesh& mesh, const std::vector<Vector3>& directors,
-                                         double hourglass_factor) {
+                                         std::optional<double> hourglass_factor) {
   const auto spans = spanning(mesh);
   std::vector<ShellElement> elements(mesh.quads.size());
   for (std::size_t e = 0; e < elements.size(); ++e) {
     auto& element = elements[e];
     element.nodes = mesh.quads[e];
     element.spans = spans[e];
-    element.hourglass_factor = hourglass_factor >= 0 ? hourglass_factor : spans[e] ? 1 : 0.1;
+    element.hourglass_factor = hourglass_factor.value_or(spans[e] ? 1 : 0.1);
     for (std::size_t k = 0; k < 4; ++k) {
       const auto i = static_cast<std::size_t>(element.nodes[k]);
       element.directors[k] = mesh.nodes() + element.nodes[k];

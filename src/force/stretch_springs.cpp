@@ -124,17 +124,4 @@ void StretchSprings::declare_pattern(Pattern& pattern) const {
   for (std::size_t e = 0; e < table_.size(); ++e) pattern.add_element(table_.points_of(e));
 }
 
-std::pair<double, double> StretchSprings::strain_range(ConstVectorRef q) const {
-  if (table_.size() == 0) return {0, 0};
-  auto smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
-  for (std::size_t e = 0; e < table_.size(); ++e) {
-    const double strain = (point(q, table_.point_of(1, e)) - point(q, table_.point_of(0, e))).norm() /
-                              table_.number_of(Number::length, e) -
-                          1;
-    smallest = std::min(smallest, strain);
-    largest = std::max(largest, strain);
-  }
-  return {smallest, largest};
-}
-
 }  // namespace sundrape

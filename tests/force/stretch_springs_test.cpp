@@ -38,7 +38,6 @@ TEST(StretchSprings, HangingThreadStretchesByItsWeight) {
   q << 0, 0, 0, 0, 0, -0.0101;
   thread.add_force({0, q, v}, f);
   EXPECT_NEAR(f[5], 0.064, 1e-12);
-  EXPECT_NEAR(thread.strain_range(q).second, 0.01, 1e-12);
 }
 
 TEST(StretchSprings, CompressionIsSofterByItsFactor) {

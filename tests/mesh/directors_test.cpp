@@ -24,7 +24,7 @@ TEST(RestDirectors, AreTheNormalsOfASphereUpToItsBoundary) {
   const auto mesh = patch_of_a_sphere(6, 5);
   const auto directors = rest_directors(mesh);
   for (std::size_t i = 0; i < directors.size(); ++i)
-    EXPECT_LE((directors[i] - mesh.reference[i].normalized()).norm(), 0.01) << "node " << i;
+    EXPECT_LE((directors[i] - mesh.reference[i].normalized()).norm(), 1e-12) << "node " << i;
 }
 
 TEST(RestDirectors, OfAFlatSheetAreItsNormalExactly) {

@@ -166,4 +166,26 @@ std::map<std::string, std::vector<double>> reference_table(const std::string& na
   return table;
 }
 
+namespace {
+
+std::vector<std::pair<double, Tip>> tips(const std::string& file, const std::string& load,
+                                         const std::string& rotation) {
+  const auto table = reference_table(file);
+  std::vector<std::pair<double, Tip>> rows;
+  for (std::size_t k = 1; k < table.at(load).size(); ++k)
+    rows.emplace_back(table.at(load)[k],
+                      Tip{table.at("ux/L (shortening)")[k], table.at("uy/L")[k], table.at(rotation)[k]});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::pair<double, Tip>> elastica_of_tip_force() {
+  return tips("elastica_tip_force.csv", "lambda", "tip rotation rad");
+}
+
+std::vector<std::pair<double, Tip>> arcs_of_tip_moment() {
+  return tips("elastica_tip_moment.csv", "lambda_M", "rotation rad");
+}
+
 }  // namespace sundrape

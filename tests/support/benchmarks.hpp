@@ -74,4 +74,9 @@ struct Tip {
   }
 };
 
+/// λ = P L²/EI and the tip of the elastica, for λ > 0 (elastica_tip_force.csv).
+[[nodiscard]] std::vector<std::pair<double, Tip>> elastica_of_tip_force();
+/// λ = M L/(π EI) and the tip of the arc, for λ > 0 (elastica_tip_moment.csv).
+[[nodiscard]] std::vector<std::pair<double, Tip>> arcs_of_tip_moment();
+
 }  // namespace sundrape

@@ -55,17 +55,8 @@ Tip net(int cells, double lambda, int& iterations) {
   return {1 - tip.x(), tip.z(), tip_rotation(line, 0)};
 }
 
-std::vector<std::pair<double, Tip>> elastica() {
-  const auto table = reference_table("elastica_tip_force.csv");
-  std::vector<std::pair<double, Tip>> rows;
-  for (std::size_t k = 1; k < table.at("lambda").size(); ++k)
-    rows.emplace_back(table.at("lambda")[k],
-                      Tip{table.at("ux/L (shortening)")[k], table.at("uy/L")[k], table.at("tip rotation rad")[k]});
-  return rows;
-}
-
 TEST(CantileverTipForce, EightCellsAreTheSecondOrderChain) {
-  for (const auto& [lambda, exact] : elastica()) {
+  for (const auto& [lambda, exact] : elastica_of_tip_force()) {
     if (std::fmod(lambda, 2.5) != 0) continue;
     int iterations = 0;
     const Tip tip = net(8, lambda, iterations), chain = second_order_chain(8, lambda);
@@ -76,7 +67,7 @@ TEST(CantileverTipForce, EightCellsAreTheSecondOrderChain) {
 
 TEST(CantileverTipForceVerification, SecondOrderFromEightToSixtyFourCellsAtEveryLoad) {
   fmt::print("  λ     |tip error|/L at 8, 16, 32, 64 cells             rotation error [rad] at 8, 64   iterations\n");
-  for (const auto& [lambda, exact] : elastica()) {
+  for (const auto& [lambda, exact] : elastica_of_tip_force()) {
     std::map<int, Tip> tips;
     std::map<int, double> errors;
     std::map<int, int> iterations;

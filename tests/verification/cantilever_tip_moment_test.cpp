@@ -32,15 +32,6 @@ Tip net(int cells, double lambda, int& iterations) {
   return {1 - tip.x(), tip.z(), tip_rotation(line, lambda * pi)};
 }
 
-std::vector<std::pair<double, Tip>> closed_form() {
-  const auto table = reference_table("elastica_tip_moment.csv");
-  std::vector<std::pair<double, Tip>> rows;
-  for (std::size_t k = 1; k < table.at("lambda_M").size(); ++k)
-    rows.emplace_back(table.at("lambda_M")[k],
-                      Tip{table.at("ux/L (shortening)")[k], table.at("uy/L")[k], table.at("rotation rad")[k]});
-  return rows;
-}
-
 TEST(CantileverTipMoment, EightCellsAreTheSecondOrderChainUpToTheClosedCircle) {
   for (const double lambda : {0.5, 1.0, 1.5, 2.0}) {
     int iterations = 0;
@@ -52,7 +43,7 @@ TEST(CantileverTipMoment, EightCellsAreTheSecondOrderChainUpToTheClosedCircle) {
 
 TEST(CantileverTipMomentVerification, SecondOrderFromEightToSixtyFourCellsUpToTheClosedCircle) {
   fmt::print("  λ     |tip error|/L at 8, 16, 32, 64 cells             rotation error [rad] at 8, 64   iterations\n");
-  for (const auto& [lambda, exact] : closed_form()) {
+  for (const auto& [lambda, exact] : arcs_of_tip_moment()) {
     std::map<int, Tip> tips;
     std::map<int, double> errors;
     std::map<int, int> iterations;

@@ -33,17 +33,8 @@ Tip chain(int elements, double lambda) {
   return {1 - shape.tip.x(), shape.tip.y(), shape.tip_angle};
 }
 
-std::vector<std::pair<double, Tip>> elastica() {
-  const auto table = reference_table("elastica_tip_force.csv");
-  std::vector<std::pair<double, Tip>> rows;
-  for (std::size_t k = 1; k < table.at("lambda").size(); ++k)
-    rows.emplace_back(table.at("lambda")[k],
-                      Tip{table.at("ux/L (shortening)")[k], table.at("uy/L")[k], table.at("tip rotation rad")[k]});
-  return rows;
-}
-
 TEST(ShellCantileverTipForce, EightElementsAreWithinOnePercentAndAreTheChainOfDirectors) {
-  for (const auto& [lambda, exact] : elastica()) {
+  for (const auto& [lambda, exact] : elastica_of_tip_force()) {
     const Tip tip = shell(8, lambda), expected = chain(8, lambda);
     EXPECT_LE(tip.distance(exact), 0.01) << "λ = " << lambda;
     EXPECT_LE(tip.distance(expected), thickness_effect(lambda)) << "λ = " << lambda;
@@ -53,7 +44,7 @@ TEST(ShellCantileverTipForce, EightElementsAreWithinOnePercentAndAreTheChainOfDi
 
 TEST(ShellCantileverTipForceVerification, SecondOrderFromEightToThirtyTwoElementsAtEveryLoad) {
   fmt::print("  λ     |tip error|/L at 8, 16, 32 elements   orders       rotation error [rad] at 8, 32   iterations\n");
-  for (const auto& [lambda, exact] : elastica()) {
+  for (const auto& [lambda, exact] : elastica_of_tip_force()) {
     std::map<int, Tip> tips;
     std::map<int, double> errors;
     std::map<int, int> iterations;

@@ -51,17 +51,8 @@ Tip chain(int elements, double lambda, bool chord = false) {
   return {1 - shape.tip.x(), shape.tip.y(), shape.tip_angle};
 }
 
-std::vector<std::pair<double, Tip>> closed_form() {
-  const auto table = reference_table("elastica_tip_moment.csv");
-  std::vector<std::pair<double, Tip>> rows;
-  for (std::size_t k = 1; k < table.at("lambda_M").size(); ++k)
-    rows.emplace_back(table.at("lambda_M")[k],
-                      Tip{table.at("ux/L (shortening)")[k], table.at("uy/L")[k], table.at("rotation rad")[k]});
-  return rows;
-}
-
 TEST(ShellCantileverTipMoment, EightElementsAreWithinOnePercentUpToTheClosedCircle) {
-  for (const auto& [lambda, exact] : closed_form()) {
+  for (const auto& [lambda, exact] : arcs_of_tip_moment()) {
     const Tip tip = shell(8, lambda);
     EXPECT_LE(tip.distance(exact), 0.01) << "λ = " << lambda;
     const double bound = extra_turn(8, lambda) + shortening(lambda) + solved;  // a tip moves by no more than its turn
@@ -74,7 +65,7 @@ TEST(ShellCantileverTipMoment, AStripAsWideAsLongClosesItsCircleToo) {
   // the same E A and E I of a strip whose elements are eight times as wide as long, three times the circle's diameter:
   // without the lateral factor its directors would fan out
   const std::vector<std::string> wide{"cloth.size=[1, 1]", "material.youngs_modulus=1", "material.density_area=1e-8"};
-  for (const auto& [lambda, exact] : closed_form())
+  for (const auto& [lambda, exact] : arcs_of_tip_moment())
     EXPECT_LE(shell(8, lambda, "geodesic", nullptr, wide).distance(exact), 0.01) << "λ = " << lambda;
 }
 
@@ -88,7 +79,7 @@ TEST(ShellCantileverTipMoment, CurvatureFromChordsTurnsTooFar) {
 
 TEST(ShellCantileverTipMomentVerification, SecondOrderFromEightToThirtyTwoElementsUpToTheClosedCircle) {
   fmt::print("  λ     |tip error|/L at 8, 16, 32 elements   rotation error [rad] at 8, 32   iterations   of chords\n");
-  for (const auto& [lambda, exact] : closed_form()) {
+  for (const auto& [lambda, exact] : arcs_of_tip_moment()) {
     std::map<int, Tip> tips;
     std::map<int, double> errors, of_chords;
     std::map<int, int> iterations;

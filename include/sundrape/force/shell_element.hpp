@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "sundrape/material/plate_bending.hpp"
@@ -42,9 +43,9 @@ struct ShellElement {
 
 /// The elements of a mesh whose node i is point i and whose director i is point N + i.
 /// @param directors         unit, N
-/// @param hourglass_factor  negative: 0.1, and 1 in elements that span the sheet between two of its edges, which
+/// @param hourglass_factor  by default 0.1, and 1 in elements that span the sheet between two of its edges, which
 ///                          would otherwise be soft in their plane
 [[nodiscard]] std::vector<ShellElement> shell_elements(const QuadMesh& mesh, const std::vector<Vector3>& directors,
-                                                       double hourglass_factor = -1);
+                                                       std::optional<double> hourglass_factor = {});
 
 }  // namespace sundrape

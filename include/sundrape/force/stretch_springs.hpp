@@ -35,9 +35,6 @@ class StretchSprings final : public ForceTerm {
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
   void declare_pattern(Pattern& pattern) const override;
 
-  /// Largest and smallest strain Δb/b over all springs, {0, 0} if there are none.
-  [[nodiscard]] std::pair<double, double> strain_range(ConstVectorRef q) const;
-
  private:
   enum Number { length, stiffness };
   struct Stretched;
