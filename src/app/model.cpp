@@ -69,6 +69,21 @@ std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std:
   return nodes;
 }
 
+/// Holds the nodes that motions carry, and says along which paths.
+std::vector<PrescribedMotion> carry(const Case& c, CaseModel& model, const std::vector<Vector3>& placed,
+                                    Supports& supports) {
+  std::vector<PrescribedMotion> motions;
+  for (const auto& motion : c.motions) {
+    auto nodes = pick(motion.nodes, model.mesh, placed, motion.source);
+    for (const int node : nodes)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (motion.components[k]) supports.position[static_cast<std::size_t>(node)][k] = true;
+    motions.push_back({nodes, motion.components, motion.path, LoadCourse{0, motion.stages}});
+    model.reactions.push_back({motion.name, std::move(nodes)});
+  }
+  return motions;
+}
+
 Supports support(const Case& c, CaseModel& model, const std::vector<Vector3>& placed) {
   const auto n = placed.size();
   Supports s{std::vector<Unknowns::Held>(n, Unknowns::Held{}), std::vector<Unknowns::Held>(n, Unknowns::Held{}),
@@ -110,18 +125,19 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
   const int points = sheet.points();
   Vector3 gravity = Vector3::Zero();
   for (const auto& load : c.loads) {
-    const Ramp ramp{c.analysis == Analysis::dynamics ? load.ramp
-                                                     : 0};  // statics knows no time: loads have their full size
+    // statics knows no time: loads have their full size, or go by stages
+    const LoadCourse course{c.analysis == Analysis::dynamics ? load.ramp : 0, load.stages};
     std::visit(
         Overload{[&](const GravityLoad& g) {
                    gravity += g.acceleration;
-                   terms.push_back(std::make_unique<DeadLoad>(
-                       "gravity", EnergyKind::gravity, node_weights(sheet, model.mesh.nodes(), g.acceleration), ramp));
+                   terms.push_back(std::make_unique<DeadLoad>("gravity", EnergyKind::gravity,
+                                                              node_weights(sheet, model.mesh.nodes(), g.acceleration),
+                                                              course));
                  },
                  [&](const ForceLoad& f) {
                    const auto nodes = pick(f.nodes, model.mesh, placed, load.source);
                    terms.push_back(std::make_unique<DeadLoad>("force", EnergyKind::load,
-                                                              equal_shares(nodes, f.total, points), ramp));
+                                                              equal_shares(nodes, f.total, points), course));
                  },
                  [&](const TractionLoad& t) {
                    const auto nodes = pick(t.nodes, model.mesh, placed, load.source);
@@ -132,18 +148,18 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
                      throw CaseError(load.source,
                                      "a traction needs nodes along an edge of the cloth; no boundary edge has both its "
                                      "ends among these");
-                   terms.push_back(std::make_unique<DeadLoad>("traction", EnergyKind::load, std::move(forces), ramp));
+                   terms.push_back(std::make_unique<DeadLoad>("traction", EnergyKind::load, std::move(forces), course));
                  },
                  [&](const MomentLoad& m) {
                    const auto nodes = pick(m.nodes, model.mesh, placed, load.source);
                    try {
-                     terms.push_back(moment_load(sheet, model.mesh, threads, nodes, m.total, ramp));
+                     terms.push_back(moment_load(sheet, model.mesh, threads, nodes, m.total, course));
                    } catch (const std::invalid_argument& problem) {
                      throw CaseError(load.source, problem.what());
                    }
                  },
                  [&](const PressureLoad& p) {
-                   terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, ramp));
+                   terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, course));
                  }},
         load.load);
   }
@@ -179,6 +195,10 @@ double longest_side(const std::vector<Vector3>& positions) {
   for (const auto& x : positions) box.extend(x);
   return box.sizes().maxCoeff();
 }
+
+/// Whether the rest shape is the wavy one. A path of equilibria starts at rest, where a sheet that was flat would
+/// forget that it was ever moved.
+bool is_wavy_at_rest(const Case& c) { return c.cloth.waviness_at_rest.value_or(c.analysis == Analysis::arc_length); }
 
 /// Relaxation starts from a slightly imperfect sheet: a flat symmetric one ends on a saddle.
 double waviness(const Case& c, double thickness_scale) {
@@ -224,10 +244,13 @@ Vector CaseModel::directors_of(const ConstVectorRef& all) const {
 CaseModel build_model(const Case& c) {
   CaseModel model;
   model.mesh = build_mesh(c.cloth);
+  if (is_wavy_at_rest(c))
+    model.mesh.reference = wavy(model.mesh, model.mesh.reference, c.cloth.waviness_amplitude, c.cloth.waviness_seed);
   model.size = longest_side(model.mesh.reference);
   const auto placed = place(model.mesh.reference, c.cloth.place);
   const auto threads = find_threads(model.mesh);
-  const auto supports = support(c, model, placed);
+  auto supports = support(c, model, placed);
+  auto motions = carry(c, model, placed, supports);
   for (const auto& probe : c.output.probes)
     model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
 
@@ -244,7 +267,8 @@ CaseModel build_model(const Case& c) {
   if (c.fabric.damping.mass > 0) sheet.terms.push_back(std::make_unique<Drag>(sheet.mass, c.fabric.damping.mass));
   add_contact(c, model, sheet.terms);
 
-  auto start = wavy(model.mesh, placed, waviness(c, c.fabric.thickness), c.cloth.waviness_seed);
+  const double amplitude = is_wavy_at_rest(c) ? 0 : waviness(c, c.fabric.thickness);
+  auto start = wavy(model.mesh, placed, amplitude, c.cloth.waviness_seed);
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
@@ -262,15 +286,16 @@ CaseModel build_model(const Case& c) {
   model.initial = flatten(points);
   Unknowns unknowns(sheet.held, sheet.order);
   if (unknowns.rows() == 0)
-    throw CaseError(c.fixes.front().source, "every node of the cloth is held: nothing is left to move");
+    throw CaseError(c.fixes.empty() ? c.motions.front().source : c.fixes.front().source,
+                    "every node of the cloth is held: nothing is left to move");
   if (model.has_directors()) {
     model.rate_slack = Vector::Ones(unknowns.rows());
     for (int r = 0; r < unknowns.rows(); ++r)
       if (unknowns.point_of_row()[static_cast<std::size_t>(r)] >= model.mesh.nodes())
         model.rate_slack[r] = director_rate_slack;
   }
-  model.system =
-      std::make_unique<System>(std::move(sheet.mass), std::move(sheet.terms), std::move(unknowns), model.initial);
+  model.system = std::make_unique<System>(std::move(sheet.mass), std::move(sheet.terms), std::move(unknowns),
+                                          model.initial, std::move(motions));
   return model;
 }
 
