@@ -220,6 +220,11 @@ void lay_on_obstacles(const ObstacleContact& contact, double weight_per_area, co
   }
 }
 
+/// How much of the weight acts first: an equilibrium path begins under its first increment.
+double first_share(const Case& c) {
+  return c.analysis == Analysis::arc_length ? c.arc_length.first_increment.front() : 1;
+}
+
 Sheet make_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, const std::vector<Vector3>& placed,
                  const Supports& supports) {
   if (c.model == Model::particle) return net_sheet(c, mesh, threads, placed, supports);
@@ -273,7 +278,7 @@ CaseModel build_model(const Case& c) {
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
   if (model.contact != nullptr)
-    lay_on_obstacles(*model.contact, c.fabric.area_density * model.gravity, supports, start);
+    lay_on_obstacles(*model.contact, first_share(c) * c.fabric.area_density * model.gravity, supports, start);
   auto points = start;
   if (model.has_directors()) {
     const auto carried = carried_directors(model.mesh, sheet.directors, placed, start);

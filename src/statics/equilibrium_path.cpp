@@ -11,9 +11,10 @@ namespace sundrape {
 namespace {
 
 constexpr int most_cuts = 30;
-constexpr double same_load = 1e-9;     // load factors closer than this are one
-constexpr double least_cosine = -0.2;  // between one step and the next: the path does not turn back on itself
-constexpr double largest_load = 100;   // a path that gets so far beyond its full load will not come back
+constexpr double same_load = 1e-9;  // load factors closer than this are one
+constexpr double least_cosine =
+    0.5;  // between a step and its prediction: one that turns further may have left the path
+constexpr double largest_load = 100;  // a path that gets so far beyond its full load will not come back
 
 /// Follows the path through one stage.
 class StageFollower {
@@ -77,6 +78,10 @@ class StageFollower {
                    "the cloth does not rest where it starts: try a smaller arc-length.first_load_increment, or "
                    "analysis = \"relaxation\"");
     accept(to, found, 0, 0);
+    // coming to rest was no step along the path: the next one is the stage's first
+    at_.step_q.setZero();
+    at_.step_load = at_.arc_length = 0;
+    forward_ = true;
     return {};
   }
 
@@ -121,7 +126,7 @@ class StageFollower {
       Correction found = correct(to, std::abs(load) * norm);
       spent += found.iterations;
       if (found.converged && to.load_factor > 1 + same_load) found = back_to_full_load(to);
-      if (found.converged && turned_back(to, first)) found.converged = false;
+      if (found.converged && !first && strays(to, sense)) found.converged = false;
       if (found.converged) {
         at_.iterations += spent;
         accept(to, found, cuts, std::abs(load) * norm);
@@ -155,14 +160,12 @@ class StageFollower {
     return correct_at_load(solver_, to, report());
   }
 
-  [[nodiscard]] bool turned_back(const PathPoint& to, bool first) const {
-    if (first || at_.arc_length == 0) return false;
-    const Vector way = solver_.rows(to.q) - solver_.rows(at_.q), last = solver_.rows(at_.step_q);
-    const double way_load = to.load_factor - at_.load_factor;
-    const double product = solver_.dot(way, way_load, last, at_.step_load);
-    const double lengths =
-        std::sqrt(solver_.dot(way, way_load, way, way_load) * solver_.dot(last, at_.step_load, last, at_.step_load));
-    return product < least_cosine * lengths;
+  /// Whether a step has gone another way than predicted.
+  [[nodiscard]] bool strays(const PathPoint& to, double sense) const {
+    const Vector way = solver_.rows(to.q) - solver_.rows(at_.q);
+    const double load = to.load_factor - at_.load_factor;
+    const double lengths = std::sqrt(solver_.dot(way, load, way, load) * solver_.dot(by_load_, 1, by_load_, 1));
+    return sense * solver_.dot(way, load, by_load_, 1) < least_cosine * lengths;
   }
 
   void accept(const PathPoint& to, const Correction& found, int cuts, double length) {
