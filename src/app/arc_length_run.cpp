@@ -11,28 +11,6 @@
 namespace sundrape {
 namespace {
 
-PathOptions path_options(const Case& c, const CaseModel& model) {
-  const auto& a = c.arc_length;
-  PathOptions o;
-  o.control = a.control == PathControlKind::load ? PathControl::load : PathControl::arc_length;
-  o.stages = c.stages();
-  o.tolerance = a.tolerance;
-  o.target_iterations = a.target_iterations;
-  o.accelerate = a.acceleration;
-  o.first_increment = a.first_increment;
-  o.max_iterations = a.max_iterations;
-  o.max_steps = a.max_steps;
-  o.size = model.size;
-  o.largest_move = a.largest_move.value_or(model.size / 10);
-  o.neutral_frequency = 1e-3 * std::sqrt(model.gravity / model.size);
-  o.force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
-  o.branch = a.branch;
-  o.branch_amplitude = a.branch_amplitude.value_or(0.01 * model.size);
-  if (a.at_bifurcation == BifurcationKind::switch_branch) o.at_bifurcation = AtBifurcation::switch_branch;
-  if (a.at_bifurcation == BifurcationKind::stop) o.at_bifurcation = AtBifurcation::stop;
-  return o;
-}
-
 /// What the supports and the loads without gravity do on the way from one equilibrium to the next, by the mean of their
 /// forces at both.
 double work_between(const System& system, const State& before, const State& after) {

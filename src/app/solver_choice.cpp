@@ -1,5 +1,7 @@
 #include "sundrape/app/solver_choice.hpp"
 
+#include <cmath>
+
 #include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/linalg/block_incomplete_cholesky.hpp"
 #include "sundrape/linalg/conjugate_gradients.hpp"
@@ -35,6 +37,28 @@ IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   o.first_step = d.first_step;
   o.max_step = d.max_step;
   o.fixed_step = d.step.value_or(0);
+  return o;
+}
+
+PathOptions path_options(const Case& c, const CaseModel& model) {
+  const auto& a = c.arc_length;
+  PathOptions o;
+  o.control = a.control == PathControlKind::load ? PathControl::load : PathControl::arc_length;
+  o.stages = c.stages();
+  o.tolerance = a.tolerance;
+  o.target_iterations = a.target_iterations;
+  o.accelerate = a.acceleration;
+  o.first_increment = a.first_increment;
+  o.max_iterations = a.max_iterations;
+  o.max_steps = a.max_steps;
+  o.size = model.size;
+  o.largest_move = a.largest_move.value_or(model.size / 10);
+  o.neutral_frequency = 1e-3 * std::sqrt(model.gravity / model.size);
+  o.force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
+  o.branch = a.branch;
+  o.branch_amplitude = a.branch_amplitude.value_or(0.01 * model.size);
+  if (a.at_bifurcation == BifurcationKind::switch_branch) o.at_bifurcation = AtBifurcation::switch_branch;
+  if (a.at_bifurcation == BifurcationKind::stop) o.at_bifurcation = AtBifurcation::stop;
   return o;
 }
 

@@ -38,8 +38,8 @@ struct PathOptions {
 struct PathPosition {
   int stage = 1;
   double load_factor = 0;
-  Vector q;       // all points, 3P [m]
-  Vector step_q;  // last accepted step, 3P [m]; zero at the start of a stage
+  Vector q = {};       // all points, 3P [m]
+  Vector step_q = {};  // last accepted step, 3P [m]; zero at the start of a stage
   double step_load = 0;
   double arc_length = 0;    // of that step; 0 at the start of a stage
   int step_iterations = 0;  // N_{n−1} of (20)
