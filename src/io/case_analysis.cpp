@@ -48,6 +48,7 @@ RelaxationCase resolve_relaxation(const CaseSection& section) {
   RelaxationCase relaxation;
   relaxation.tolerance = section.number("tolerance");
   relaxation.scheme = section.text("scheme");
+  relaxation.continuation = section.text("continuation") == "auto";
   if (const auto most = section.maybe_number("max_iterations")) relaxation.max_iterations = static_cast<int>(*most);
   relaxation.first_step = section.maybe_number("first_step");
   relaxation.growth = section.number("growth");

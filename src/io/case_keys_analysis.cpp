@@ -92,6 +92,13 @@ Section relaxation() {
                .choices = {"implicit", "chapter"},
                .default_value = "\"implicit\"",
                .doc = "Damped implicit steps that end as Newton's, or the explicit baseline of the literature."},
+              {.name = "continuation",
+               .type = KeyType::choice,
+               .choices = {"auto", "off"},
+               .default_value = "\"auto\"",
+               .doc = "Start from the equilibrium on coarser meshes of the same cloth, where there are any; `\"off\"`: "
+                      "from "
+                      "the placed sheet."},
               {.name = "max_iterations",
                .type = KeyType::integer,
                .range = from_to(1, 1e9),

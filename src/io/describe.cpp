@@ -241,6 +241,7 @@ void describe_relaxation(CaseDescription& out, const RelaxationCase& relaxation)
   out.enter("relaxation", "relaxation");
   out.number("tolerance", relaxation.tolerance);
   out.text("scheme", relaxation.scheme);
+  out.text("continuation", relaxation.continuation ? "auto" : "off");
   if (relaxation.max_iterations) out.verbatim("max_iterations", fmt::format("{}", *relaxation.max_iterations));
   out.maybe_number("first_step", relaxation.first_step);
   out.number("growth", relaxation.growth);

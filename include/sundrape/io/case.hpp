@@ -169,6 +169,7 @@ struct DynamicsCase {
 struct RelaxationCase {
   double tolerance = 1e-6;            // on |out-of-balance force| / |external force|
   std::string scheme = "implicit";    // implicit | chapter
+  bool continuation = true;           // from coarser meshes, where there are any
   std::optional<int> max_iterations;  // default 2000; of the chapter's scheme 1,000,000
   std::optional<double> first_step;   // [s]
   double growth = 1.5;
