@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "sundrape/mesh/quad_locator.hpp"
 #include "sundrape/mesh/threads.hpp"
 
 namespace sundrape {
 namespace {
+
+constexpr int most_corrections = 30;  // of a place on a curved thread; each takes most of what is left
 
 /// Weights of the nodes that a value is made of. A node may stand there more than once.
 class Blend {
@@ -17,7 +20,7 @@ class Blend {
     for (const auto& [node, weight] : other.entries_) entries_.emplace_back(node, factor * weight);
   }
   /// Each node once, ascending, those that count for nothing left out.
-  [[nodiscard]] const std::vector<std::pair<int, double>>& merged() {
+  [[nodiscard]] std::vector<std::pair<int, double>> merged() && {
     std::ranges::sort(entries_, {}, &std::pair<int, double>::first);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < entries_.size();) {
@@ -26,7 +29,7 @@ class Blend {
       if (std::abs(sum) > 1e-12) entries_[kept++] = {node, sum};
     }
     entries_.resize(kept);
-    return entries_;
+    return std::move(entries_);
   }
 
  private:
@@ -111,12 +114,22 @@ class SmoothSheet {
 SheetInterpolation::SheetInterpolation(const QuadMesh& from, const QuadMesh& to) : from_nodes_(from.nodes()) {
   const SmoothSheet sheet(from);
   const QuadLocator locator(from);
+  const double close = 1e-13 * diagonal(from);
   start_.push_back(0);
   for (const auto& x : to.material) {
-    const auto place = locator.find(x);
-    if (!place) throw std::invalid_argument("a node of the finer mesh does not lie on the coarser one");
-    auto blend = sheet.at(*place);
-    for (const auto& [node, weight] : blend.merged()) {
+    // Where threads are curved the smooth sheet is not at x where the quads are: look a little beside.
+    Eigen::Vector2d sought = x;
+    std::vector<std::pair<int, double>> parts;
+    for (int correction = 0; correction < most_corrections; ++correction) {
+      const auto place = locator.find(sought);
+      if (!place) throw std::invalid_argument("a node of the finer mesh does not lie on the coarser one");
+      parts = sheet.at(*place).merged();
+      Eigen::Vector2d off = x;
+      for (const auto& [node, weight] : parts) off -= weight * from.material[static_cast<std::size_t>(node)];
+      if (off.norm() <= close) break;
+      sought += off;
+    }
+    for (const auto& [node, weight] : parts) {
       node_.push_back(node);
       weight_.push_back(weight);
     }

@@ -9,6 +9,7 @@ namespace sundrape {
 namespace {
 
 constexpr double cut = 0.5;             // of the step after a refusal
+constexpr double shortened = 0.999;     // of the largest move: safely below it in spite of round-off
 constexpr int most_halvings = 6;        // of a move whose energy rises
 constexpr double smallest_step = 1e-9;  // [s]
 constexpr double largest_step = 1e4;    // [s]; M/h² is then far below any stiffness, yet holds neutral rigid motion
@@ -113,7 +114,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     /// forces at both ends, which needs no potential.
     const auto take_step = [&] {
       const double move = step.cwiseAbs().maxCoeff();
-      if (options.largest_move > 0 && move > options.largest_move) step *= options.largest_move / move;
+      if (options.largest_move > 0 && move > options.largest_move) step *= shortened * options.largest_move / move;
       for (int halving = 0; halving <= most_halvings; ++halving, step *= 0.5) {
         tried = q;
         unknowns.scatter(rows_q + step, tried);

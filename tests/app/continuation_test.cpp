@@ -9,12 +9,12 @@
 namespace sundrape {
 namespace {
 
-/// A limp sheet of 20 cm, as fine as asked for; its bending length is (1 MPa (0.5 mm)³/12 / 1.96 N/m²)^(1/3) = 1.8 cm.
-std::string large_sheet(int cells, const std::string& more, const std::string& top = "") {
+/// A limp square sheet, as fine as asked for; its bending length is (1 MPa (0.5 mm)³/12 / 1.96 N/m²)^(1/3) = 1.8 cm.
+std::string square_sheet(int cells, const std::string& more, const std::string& top = "", double size = 0.2) {
   return top +
-         samples::sheet_case(more, fmt::format("shape = \"rectangle\"\nsize = [0.2, 0.2]\ncells = [{0}, {0}]\n"
+         samples::sheet_case(more, fmt::format("shape = \"rectangle\"\nsize = [{1}, {1}]\ncells = [{0}, {0}]\n"
                                                "place = {{ rotate = {{ axis = [1, 0, 0], angle = \"80 deg\" }} }}",
-                                               cells));
+                                               cells, size));
 }
 
 const std::string hung = "[[fix]]\nnodes = \"top\"\n";
@@ -31,30 +31,30 @@ struct Built {
 };
 
 TEST(CoarserCases, HalveTheCellsUntilAMeshIsCoarseEnough) {
-  EXPECT_EQ(Built(large_sheet(40, hung)).nodes_of_coarser(), std::vector<int>({21 * 21}));
-  EXPECT_EQ(Built(large_sheet(80, hung)).nodes_of_coarser(), std::vector<int>({41 * 41, 21 * 21}));
+  EXPECT_EQ(Built(square_sheet(40, hung)).nodes_of_coarser(), std::vector<int>({21 * 21}));
+  EXPECT_EQ(Built(square_sheet(80, hung)).nodes_of_coarser(), std::vector<int>({41 * 41, 21 * 21}));
 }
 
 TEST(CoarserCases, ResolveTheFolds) {
   // cells of 1 cm are 0.55 bending lengths long, enough for a net and too much for a shell
-  EXPECT_EQ(Built(large_sheet(40, hung, "model = \"shell\"\n")).nodes_of_coarser(), std::vector<int>());
-  EXPECT_EQ(Built(large_sheet(80, hung, "model = \"shell\"\n")).nodes_of_coarser(), std::vector<int>({41 * 41}));
+  EXPECT_EQ(Built(square_sheet(40, hung, "model = \"shell\"\n")).nodes_of_coarser(), std::vector<int>());
+  EXPECT_EQ(Built(square_sheet(80, hung, "model = \"shell\"\n")).nodes_of_coarser(), std::vector<int>({41 * 41}));
 }
 
-TEST(CoarserCases, AreNotForSmallMeshes) { EXPECT_TRUE(Built(large_sheet(16, hung)).nodes_of_coarser().empty()); }
+TEST(CoarserCases, AreNotForSmallMeshes) { EXPECT_TRUE(Built(square_sheet(16, hung)).nodes_of_coarser().empty()); }
 
 TEST(CoarserCases, KeepSupportsWhereTheyAre) {
   const auto pinned = [](double x) { return fmt::format("[[fix]]\nnodes = {{ near = [{}, 0, 0] }}\n", x); };
-  EXPECT_EQ(Built(large_sheet(40, pinned(0.05))).nodes_of_coarser(), std::vector<int>({21 * 21}));
+  EXPECT_EQ(Built(square_sheet(40, pinned(0.05))).nodes_of_coarser(), std::vector<int>({21 * 21}));
   EXPECT_TRUE(
-      Built(large_sheet(40, pinned(0.055))).nodes_of_coarser().empty());  // between two nodes of the coarser mesh
-  EXPECT_EQ(Built(large_sheet(50, pinned(0))).nodes_of_coarser(),
+      Built(square_sheet(40, pinned(0.055))).nodes_of_coarser().empty());  // between two nodes of the coarser mesh
+  EXPECT_EQ(Built(square_sheet(50, pinned(0))).nodes_of_coarser(),
             std::vector<int>({27 * 27}));  // 25 cells have no middle
 }
 
 TEST(Continuation, EndsInTheSameEquilibriumWhereThereIsOne) {
   for (const std::string model : {"particle", "shell"}) {
-    const Built hanging(large_sheet(model == "shell" ? 60 : 24, hung, "model = \"" + model + "\"\n"));
+    const Built hanging(square_sheet(model == "shell" ? 36 : 24, hung, "model = \"" + model + "\"\n", 0.1));
     const auto coarser = coarser_cases(hanging.c, hanging.model);
     ASSERT_EQ(coarser.size(), 1U);
     const auto start = start_on_coarser_meshes(
@@ -76,7 +76,7 @@ TEST(Continuation, EndsInTheSameEquilibriumWhereThereIsOne) {
 }
 
 TEST(Continuation, CarriesHeldNodesAndDirectorsOfTheRightLength) {
-  const Built hanging(large_sheet(60, hung, "model = \"shell\"\n"));
+  const Built hanging(square_sheet(36, hung, "model = \"shell\"\n", 0.1));
   const auto coarser = coarser_cases(hanging.c, hanging.model);
   ASSERT_EQ(coarser.size(), 1U);
   const auto& model = hanging.model;
@@ -89,7 +89,7 @@ TEST(Continuation, CarriesHeldNodesAndDirectorsOfTheRightLength) {
 }
 
 TEST(Continuation, StopsWhenAskedToWithWhatItHas) {
-  const Built hanging(large_sheet(24, hung));
+  const Built hanging(square_sheet(24, hung));
   const auto coarser = coarser_cases(hanging.c, hanging.model);
   ASSERT_EQ(coarser.size(), 1U);
   int steps = 0;

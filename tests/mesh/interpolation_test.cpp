@@ -30,8 +30,9 @@ Vector3 linear(double x, double y) { return {x, 2 * x - 3 * y + 1, y}; }
 
 TEST(SheetInterpolation, IsExactForLinearFieldsOnEveryShape) {
   EXPECT_LT(largest_error(rectangle(0.2, 0.1, 10, 4), rectangle(0.2, 0.1, 33, 7), linear), 1e-14);
-  EXPECT_LT(largest_error(disc(0.1, 10), disc(0.1, 24), linear), 1e-14);
-  EXPECT_LT(largest_error(annulus(0.05, 0.1, 4, 16), annulus(0.05, 0.1, 9, 40), linear), 1e-14);
+  // on curved threads to the 1e-13 of the sheet's size to which places are found
+  EXPECT_LT(largest_error(disc(0.1, 10), disc(0.1, 24), linear), 1e-12);
+  EXPECT_LT(largest_error(annulus(0.05, 0.1, 4, 16), annulus(0.05, 0.1, 9, 40), linear), 1e-12);
 }
 
 // A parabola through three nodes has a quadratic field's slope, and a cubic with exact slopes at both ends is exact.
@@ -62,7 +63,7 @@ TEST(SheetInterpolation, ConvergesWithOrderThree) {
 TEST(SheetInterpolation, ReachesTheRimThatACoarserPolygonCutsOff) {
   const auto coarse = disc(0.1, 8), fine = disc(0.1, 40);
   const auto place = [](double x, double y) { return Vector3(x, y, 0); };
-  EXPECT_LT(largest_error(coarse, fine, place), 1e-14);
+  EXPECT_LT(largest_error(coarse, fine, place), 1e-12);
 }
 
 TEST(SheetInterpolation, RefusesAnotherSheet) {
