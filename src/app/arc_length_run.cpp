@@ -4,6 +4,7 @@
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/solver_choice.hpp"
+#include "sundrape/app/stable_neighbour.hpp"
 #include "sundrape/app/stop_request.hpp"
 #include "sundrape/statics/equilibrium_path.hpp"
 #include "sundrape/statics/relaxation.hpp"
@@ -29,6 +30,16 @@ double work_between(const System& system, const State& before, const State& afte
   }
   return work;
 }
+
+class Quiet final : public RelaxationObserver {
+ public:
+  explicit Quiet(PathObserver& watch) : watch_(watch) {}
+  void step(const State& /*all*/, const RelaxationStep& /*step*/) override {}
+  [[nodiscard]] bool wants_to_stop() override { return watch_.wants_to_stop(); }
+
+ private:
+  PathObserver& watch_;
+};
 
 std::string critical_text(const CriticalPoint& point) {
   const bool limit = point.kind == CriticalPoint::Kind::limit_point;
@@ -81,7 +92,7 @@ class Watch final : public PathObserver {
     const auto step = static_cast<int>(from.steps) + 1;
     recorder_.iteration({.step = step, .iteration = iteration, .load_factor = load_factor, .residual = residual});
     if (from.steps == 0)
-      progress_.detail(fmt::format("step {} iteration {:2}  load factor {:.8e}  residual {:.8e}", step, iteration,
+      progress_.remark(fmt::format("step {} iteration {:2}  load factor {:.8e}  residual {:.8e}", step, iteration,
                                    load_factor, residual));
   }
 
@@ -115,8 +126,11 @@ class Watch final : public PathObserver {
     before_load_ = at.load_factor;
     framed_ = at.steps;
   }
-  /// A better state than the last step's, at its load.
-  void replace(const PathStep& step) { last_ = step; }
+  /// The state that the end of the path was relaxed to.
+  void frame(const PathPosition& at, const PathStep& step) {
+    last_ = step;
+    frame(at);
+  }
 
   void checkpoint(const PathPosition& at) {
     recorder_.checkpoint(
@@ -192,7 +206,22 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
   AnalysisEnd end;
   const auto where = fmt::format("load factor {:.6g} of stage {}", at.load_factor, at.stage);
   if (result.end == PathEnd::complete) {
-    const int pivots = watch.last().negative_pivots.value_or(-1);
+    int pivots = watch.last().negative_pivots.value_or(-1);
+    if (pivots > 0 && c.arc_length.relax_unstable) {
+      Quiet quiet(watch);
+      Vector q = at.q;
+      const auto fallen = relax_to_stable_neighbour(c, model, q, quiet);
+      if (fallen.result.end == RelaxationEnd::converged) {
+        progress.say(
+            fmt::format("the end had {} negative pivots; pushed along its unstable mode and relaxed, it has {}", pivots,
+                        fallen.pivots.value_or(-1)));
+        pivots = fallen.pivots.value_or(-1);
+        at.q = q;
+        watch.frame(at, {.residual = fallen.result.residual, .negative_pivots = fallen.pivots});
+      } else {
+        recorder.warn("the unstable equilibrium at the end was kept: " + fallen.result.diagnosis);
+      }
+    }
     if (pivots > 0)
       recorder.warn(
           fmt::format("the equilibrium at the end is unstable: its tangent has {} negative pivots; "

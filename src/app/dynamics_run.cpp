@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "sundrape/app/analyses.hpp"
-#include "sundrape/app/interrupt.hpp"
 #include "sundrape/app/solver_choice.hpp"
+#include "sundrape/app/stop_request.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/integrate/impact.hpp"
 #include "sundrape/integrate/stability_limit.hpp"
@@ -74,8 +74,8 @@ class Watch final : public DynamicsObserver {
         integrator_(integrator),
         recorder_(recorder),
         progress_(progress),
-        start_(Clock::now()),
-        last_checkpoint_(start_) {
+        stop_(c.dynamics.time_limit),
+        last_checkpoint_(Clock::now()) {
     if (recorder.restart()) last_step_size_ = recorder.restart()->step_size;
   }
 
@@ -109,13 +109,8 @@ class Watch final : public DynamicsObserver {
           report.time / case_.output.frame_times.back());
   }
 
-  [[nodiscard]] bool wants_to_stop() override {
-    if (case_.dynamics.time_limit &&
-        std::chrono::duration<double>(Clock::now() - start_).count() > *case_.dynamics.time_limit)
-      out_of_time_ = true;
-    return out_of_time_ || InterruptGuard::requested();
-  }
-  [[nodiscard]] bool out_of_time() const { return out_of_time_; }
+  [[nodiscard]] bool wants_to_stop() override { return stop_.wanted(); }
+  [[nodiscard]] bool out_of_time() const { return stop_.out_of_time(); }
 
   void checkpoint() {
     const auto at = dynamics_->last();
@@ -138,8 +133,9 @@ class Watch final : public DynamicsObserver {
   Recorder& recorder_;
   Progress& progress_;
   Dynamics* dynamics_ = nullptr;
-  Clock::time_point start_, last_checkpoint_;
-  bool checkpoint_written_ = false, out_of_time_ = false;
+  StopRequest stop_;
+  Clock::time_point last_checkpoint_;
+  bool checkpoint_written_ = false;
   double last_step_size_ = 0, last_frame_ = -1;
   long newton_ = 0, linear_ = 0, error_failures_ = 0, solve_failures_ = 0;
 };

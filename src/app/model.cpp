@@ -43,14 +43,6 @@ QuadMesh build_mesh(const ClothCase& cloth) {
       cloth.shape);
 }
 
-std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
-  const Eigen::AngleAxisd turn(place.angle, place.axis.normalized());
-  std::vector<Vector3> placed;
-  placed.reserve(rest.size());
-  for (const auto& x : rest) placed.emplace_back(turn * x + place.translate);
-  return placed;
-}
-
 Vector flatten(const std::vector<Vector3>& positions) {
   Vector q(static_cast<Eigen::Index>(3 * positions.size()));
   for (std::size_t i = 0; i < positions.size(); ++i) q.segment<3>(static_cast<Eigen::Index>(3 * i)) = positions[i];
@@ -240,6 +232,14 @@ Sheet make_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, co
 constexpr double director_rate_slack = 100;
 
 }  // namespace
+
+std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
+  const Eigen::AngleAxisd turn(place.angle, place.axis.normalized());
+  std::vector<Vector3> placed;
+  placed.reserve(rest.size());
+  for (const auto& x : rest) placed.emplace_back(turn * x + place.translate);
+  return placed;
+}
 
 Vector CaseModel::directors_of(const ConstVectorRef& all) const {
   if (!has_directors()) return {};

@@ -51,7 +51,7 @@ void Progress::say(const std::string& line) {
   std::fflush(stdout);
 }
 
-void Progress::detail(const std::string& line) {
+void Progress::remark(const std::string& line) {
   if (verbosity_ == Verbosity::verbose) say(line);
 }
 

@@ -1,21 +1,23 @@
 #include "sundrape/app/solver_choice.hpp"
 
-#include <cmath>
-
+#include "sundrape/app/stable_neighbour.hpp"
 #include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/linalg/block_incomplete_cholesky.hpp"
 #include "sundrape/linalg/conjugate_gradients.hpp"
+#include "sundrape/linalg/turning_solver.hpp"
 
 namespace sundrape {
 namespace {
 
 /// The modified factorisation suits a net's springs; with a shell it breaks down at nearly every matrix and needs
 /// shifts that take nine tenths of its use away.
-std::unique_ptr<LinearSolver> conjugate_gradients(Model model) {
-  if (model == Model::shell)
-    return std::make_unique<ConjugateGradients>(std::make_unique<BlockIncompleteCholesky>(0.0));
-  return make_linear_solver(SolverKind::conjugate_gradients);
+std::unique_ptr<LinearSolver> conjugate_gradients(Model model, int max_iterations = 500) {
+  auto preconditioner = model == Model::shell ? std::make_unique<BlockIncompleteCholesky>(0.0)
+                                              : std::make_unique<BlockIncompleteCholesky>();
+  return std::make_unique<ConjugateGradients>(std::move(preconditioner), max_iterations);
 }
+
+constexpr int iterations_worth_a_factorisation = 100;
 
 std::unique_ptr<LinearSolver> named(const std::string& name, Model model) {
   if (name == "cholesky") return make_linear_solver(SolverKind::cholesky);
@@ -53,7 +55,7 @@ PathOptions path_options(const Case& c, const CaseModel& model) {
   o.max_steps = a.max_steps;
   o.size = model.size;
   o.largest_move = a.largest_move.value_or(model.size / 10);
-  o.neutral_frequency = 1e-3 * std::sqrt(model.gravity / model.size);
+  o.neutral_frequency = neutral_frequency(model);
   o.force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
   o.branch = a.branch;
   o.branch_amplitude = a.branch_amplitude.value_or(0.01 * model.size);
@@ -69,9 +71,24 @@ std::unique_ptr<LinearSolver> dynamics_solver(const Case& c) {
   return named(name == "auto" && skew ? "lu" : name, c.model);
 }
 
+RelaxationOptions relaxation_options(const Case& c, const CaseModel& model) {
+  const auto& r = c.relaxation;
+  auto o = relaxation_options(model.size, model.gravity);
+  o.tolerance = r.tolerance;
+  o.max_iterations = r.max_iterations.value_or(o.max_iterations);
+  o.first_step = r.first_step.value_or(o.first_step);
+  o.growth = r.growth;
+  o.force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
+  o.largest_rise = 0.05 * o.force_scale * model.size;
+  return o;
+}
+
 std::unique_ptr<LinearSolver> statics_solver(const Case& c, const System& system) {
   const auto& name = c.relaxation.linear_solver;
-  return named(name != "auto" ? name : system.has_symmetric_tangent() ? "cholesky" : "lu", c.model);
+  if (name != "auto") return named(name, c.model);
+  if (!system.has_symmetric_tangent()) return make_linear_solver(SolverKind::lu);
+  return std::make_unique<TurningSolver>(conjugate_gradients(c.model, iterations_worth_a_factorisation),
+                                         make_linear_solver(SolverKind::cholesky));
 }
 
 }  // namespace sundrape

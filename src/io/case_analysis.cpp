@@ -50,10 +50,12 @@ RelaxationCase resolve_relaxation(const CaseSection& section) {
   RelaxationCase relaxation;
   relaxation.tolerance = section.number("tolerance");
   relaxation.scheme = section.text("scheme");
+  relaxation.continuation = section.text("continuation") == "auto";
   if (const auto most = section.maybe_number("max_iterations")) relaxation.max_iterations = static_cast<int>(*most);
   relaxation.first_step = section.maybe_number("first_step");
   relaxation.growth = section.number("growth");
   relaxation.linear_solver = section.text("linear_solver");
+  relaxation.relax_unstable = section.text("unstable_end") == "relax";
   relaxation.c_disp = section.maybe_number("c_disp");
   relaxation.c_acc = section.maybe_number("c_acc");
   relaxation.time_limit = section.maybe_number("time_limit");

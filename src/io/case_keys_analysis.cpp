@@ -28,6 +28,16 @@ Key tolerance() {
           .doc = "On the out-of-balance force over the external force."};
 }
 
+Key unstable_end() {
+  return {.name = "unstable_end",
+          .type = KeyType::choice,
+          .choices = {"keep", "relax"},
+          .default_value = "\"keep\"",
+          .doc =
+              "An unstable equilibrium at the end is reported as it is, or pushed along its unstable mode and relaxed "
+              "to the stable one next to it."};
+}
+
 Section dynamics() {
   return {
       .name = "dynamics",
@@ -92,6 +102,13 @@ Section relaxation() {
                .choices = {"implicit", "chapter"},
                .default_value = "\"implicit\"",
                .doc = "Damped implicit steps that end as Newton's, or the explicit baseline of the literature."},
+              {.name = "continuation",
+               .type = KeyType::choice,
+               .choices = {"auto", "off"},
+               .default_value = "\"auto\"",
+               .doc = "Start from the equilibrium on coarser meshes of the same cloth, where there are any; `\"off\"`: "
+                      "from "
+                      "the placed sheet."},
               {.name = "max_iterations",
                .type = KeyType::integer,
                .range = from_to(1, 1e9),
@@ -107,6 +124,7 @@ Section relaxation() {
                .default_value = "1.5",
                .doc = "Factor of successive steps."},
               linear_solver(),
+              unstable_end(),
               {.name = "c_disp",
                .unit = "m/N",
                .range = positive(),
@@ -180,12 +198,7 @@ Section arc_length() {
                .unit = "m",
                .default_note = "L/100",
                .doc = "First move along the critical mode; a negative one leaves to the other side."},
-              {.name = "unstable_end",
-               .type = KeyType::choice,
-               .choices = {"keep", "relax"},
-               .default_value = "\"keep\"",
-               .doc = "An unstable equilibrium at the end is reported as it is, or pushed along its unstable mode and "
-                      "relaxed to the stable one next to it."},
+              unstable_end(),
               {.name = "frame_every",
                .type = KeyType::integer,
                .range = from_to(1, 1e6),

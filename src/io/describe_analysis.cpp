@@ -24,10 +24,12 @@ void describe_relaxation(CaseDescription& out, const RelaxationCase& relaxation)
   out.enter("relaxation", "relaxation");
   out.number("tolerance", relaxation.tolerance);
   out.text("scheme", relaxation.scheme);
+  out.text("continuation", relaxation.continuation ? "auto" : "off");
   if (relaxation.max_iterations) out.verbatim("max_iterations", fmt::format("{}", *relaxation.max_iterations));
   out.maybe_number("first_step", relaxation.first_step);
   out.number("growth", relaxation.growth);
   out.text("linear_solver", relaxation.linear_solver);
+  out.text("unstable_end", relaxation.relax_unstable ? "relax" : "keep");
   if (relaxation.scheme == "chapter") {
     out.maybe_number("c_disp", relaxation.c_disp);
     out.maybe_number("c_acc", relaxation.c_acc);

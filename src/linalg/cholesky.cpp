@@ -99,9 +99,9 @@ FactorStatus Cholesky::factor(const BlockMatrix& matrix) {
 }
 
 SolveReport Cholesky::solve(ConstVectorRef b, VectorRef x, double /*tolerance*/, double /*largest*/) {
-  if (!factored_) return {false, 0, "Cholesky: the last matrix could not be factored"};
-  if (!parts_->solve(b, x)) return {false, 0, "Cholesky: the triangular solves failed"};
-  if (!x.allFinite()) return {false, 0, "Cholesky: the solution is not finite"};
+  if (!factored_) return {.ok = false, .problem = "Cholesky: the last matrix could not be factored"};
+  if (!parts_->solve(b, x)) return {.ok = false, .problem = "Cholesky: the triangular solves failed"};
+  if (!x.allFinite()) return {.ok = false, .problem = "Cholesky: the solution is not finite"};
   return {};
 }
 

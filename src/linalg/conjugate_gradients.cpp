@@ -53,7 +53,9 @@ Outcome iterate(V& x, V& r, double tolerance, double largest, int max_iterations
 }
 
 SolveReport report(const Outcome& outcome, int iterations_before) {
-  SolveReport report{outcome.end == End::converged, iterations_before + outcome.iterations, ""};
+  SolveReport report{.ok = outcome.end == End::converged,
+                     .iterations = iterations_before + outcome.iterations,
+                     .indefinite = outcome.end == End::negative_curvature};
   switch (outcome.end) {
     case End::converged:
       break;
@@ -97,10 +99,10 @@ FactorStatus ConjugateGradients::factor(const BlockMatrix& matrix) {
 
 SolveReport ConjugateGradients::solve(ConstVectorRef b, VectorRef x, double tolerance, double largest) {
   x.setZero();
-  if (matrix_ == nullptr) return {false, 0, "conjugate gradients: the last matrix has no preconditioner"};
+  if (matrix_ == nullptr) return {.ok = false, .problem = "conjugate gradients: the last matrix has no preconditioner"};
   const double size = b.norm();
   if (size == 0) return {};
-  if (!std::isfinite(size)) return {false, 0, "conjugate gradients: the right side is not finite"};
+  if (!std::isfinite(size)) return {.ok = false, .problem = "conjugate gradients: the right side is not finite"};
 
   // Right side and matrix are scaled to 1, out of the way of single precision's limits.
   const double unscale = size / padded_->scale();

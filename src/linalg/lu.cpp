@@ -89,11 +89,11 @@ FactorStatus Lu::factor(const BlockMatrix& matrix) {
 }
 
 SolveReport Lu::solve(ConstVectorRef b, VectorRef x, double /*tolerance*/, double /*largest*/) {
-  if (!factored_) return {false, 0, "LU: the last matrix could not be factored"};
+  if (!factored_) return {.ok = false, .problem = "LU: the last matrix could not be factored"};
   x = b;
   if (klu_l_solve(parts_->symbolic.get(), parts_->numeric.get(), b.size(), 1, x.data(), &parts_->common) == 0)
-    return {false, 0, "LU: the triangular solves failed"};
-  if (!x.allFinite()) return {false, 0, "LU: the solution is not finite"};
+    return {.ok = false, .problem = "LU: the triangular solves failed"};
+  if (!x.allFinite()) return {.ok = false, .problem = "LU: the solution is not finite"};
   return {};
 }
 

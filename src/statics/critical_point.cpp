@@ -30,14 +30,6 @@ bool strays(const StageSolver& s, const PathPoint& a, const PathPoint& b, const 
 
 }  // namespace
 
-Vector displacements(const System& system, const Vector& mode) {
-  Vector all = Vector::Zero(3 * system.unknowns().points());
-  system.unknowns().scatter(mode, all);
-  double largest = 0;
-  for (int p = 0; p < system.unknowns().points(); ++p) largest = std::max(largest, point(all, p).norm());
-  return largest > 0 ? Vector(all / largest) : all;
-}
-
 std::optional<CriticalPoint> locate_critical_point(StageSolver& s, const JudgedPoint& before, const JudgedPoint& after,
                                                    bool limit_point) {
   const auto& system = s.system;

@@ -15,7 +15,4 @@ struct JudgedPoint {
 [[nodiscard]] std::optional<CriticalPoint> locate_critical_point(StageSolver& s, const JudgedPoint& before,
                                                                  const JudgedPoint& after, bool limit_point);
 
-/// A mode as displacements of all points, 3P, the largest of a node or director 1.
-[[nodiscard]] Vector displacements(const System& system, const Vector& mode);
-
 }  // namespace sundrape

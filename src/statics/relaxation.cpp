@@ -8,8 +8,9 @@
 namespace sundrape {
 namespace {
 
-constexpr double largest_jump = 300;    // of the residual in one step
 constexpr double cut = 0.5;             // of the step after a refusal
+constexpr double shortened = 0.999;     // of the largest move: safely below it in spite of round-off
+constexpr int most_halvings = 6;        // of a move whose energy rises
 constexpr double smallest_step = 1e-9;  // [s]
 constexpr double largest_step = 1e4;    // [s]; M/h² is then far below any stiffness, yet holds neutral rigid motion
 
@@ -78,7 +79,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
   BlockMatrix matrix(system.structure(), solver.symmetry());
   solver.analyse(system.structure());
   OutOfBalance balance(system, options.force_scale);
-  Vector v = Vector::Zero(n), rows_q(n), step(n), right_side(n), tried = q;
+  Vector v = Vector::Zero(n), rows_q(n), step(n), right_side(n), force(n), tried = q, all_v = Vector::Zero(q.size());
   unknowns.gather(q, rows_q);
 
   RelaxationResult result;
@@ -97,30 +98,48 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
                    "raise relaxation.max_iterations, or look at the last frame: something may slide freely");
 
     RelaxationStep report{.iteration = result.iterations + 1};
-    const Vector force = balance.rows();
+    force = balance.rows();
     if (force.dot(v) < 0) v.setZero();
-    double move = 0;  // of the node that moves furthest [m]
-    for (;; ++report.refused, h *= cut) {
-      if (h < smallest_step)
-        return stall("relaxation cannot take any step", "two nodes may coincide, or a contact may be far too stiff");
+    right_side = force;
+    const double digits = std::clamp(0.1 * result.residual, 1e-8, 1e-2);
+    /// Newton's step from M/h² + K; false if there is none, or it does not go downhill.
+    const auto find_step = [&] {
       matrix.set_zero();
       matrix.add_diagonal(system.row_mass(), 1 / (h * h));
       system.add_tangent({0, q, balance.still()}, -1, 0, matrix);
       system.hold(matrix);
       ++result.factorizations;
-      if (solver.factor(matrix) != FactorStatus::ok) continue;
-      right_side = force;
-      for (int r = 0; r < unknowns.rows(); ++r) point(right_side, r) += system.row_mass()[r] / h * point(v, r);
+      if (solver.factor(matrix) != FactorStatus::ok) return false;
+      for (int r = 0; r < unknowns.rows(); ++r)
+        point(right_side, r) = point(force, r) + system.row_mass()[r] / h * point(v, r);
       unknowns.clear_held(right_side);
-      if (!solver.solve(right_side, step, 1e-8).ok || !step.allFinite() || step.dot(right_side) <= 0) continue;
+      const auto solved = solver.solve(right_side, step, digits);
+      result.linear_iterations += solved.iterations;
+      return solved.ok && step.allFinite() && step.dot(right_side) > 0;
+    };
+    /// Takes the step, or as much of it as the limits allow. The energy's rise is the work against the mean of the
+    /// forces at both ends, which needs no potential.
+    const auto take_step = [&] {
+      const double move = step.cwiseAbs().maxCoeff();
+      if (options.largest_move > 0 && move > options.largest_move) step *= shortened * options.largest_move / move;
+      for (int halving = 0; halving <= most_halvings; ++halving, step *= 0.5) {
+        tried = q;
+        unknowns.scatter(rows_q + step, tried);
+        const double residual = balance.evaluate(tried);
+        const double rise = -0.5 * step.dot(force + balance.rows());
+        if (!std::isfinite(residual) || (options.largest_rise > 0 && rise > options.largest_rise)) continue;
+        result.residual = residual;
+        return true;
+      }
+      return false;
+    };
+    double move = 0;  // that Newton's step asked for, of the node that moves furthest [m]
+    for (;; ++report.refused, h *= cut) {
+      if (h < smallest_step)
+        return stall("relaxation cannot take any step", "two nodes may coincide, or a contact may be far too stiff");
+      if (!find_step()) continue;
       move = step.cwiseAbs().maxCoeff();
-      if (options.largest_move > 0 && move > options.largest_move) continue;
-      tried = q;
-      unknowns.scatter(rows_q + step, tried);
-      const double residual = balance.evaluate(tried);
-      if (!std::isfinite(residual) || residual > largest_jump * result.residual) continue;
-      result.residual = residual;
-      break;
+      if (take_step()) break;
     }
     q = tried;
     rows_q += step;
@@ -130,7 +149,6 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     report.step_size = h;
     report.residual = result.residual;
     for (int r = 0; r < unknowns.rows(); ++r) report.kinetic += 0.5 * system.row_mass()[r] * point(v, r).squaredNorm();
-    Vector all_v = Vector::Zero(q.size());
     unknowns.scatter(v, all_v);
     observer.step({time, q, all_v}, report);
     if (observer.wants_to_stop()) {
@@ -139,7 +157,8 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
       return result;
     }
     // a step that grows moves between h and h² further
-    const double room = options.largest_move > 0 ? std::sqrt(0.9 * options.largest_move / move) : options.growth;
+    const double room =
+        options.largest_move > 0 ? std::max(std::sqrt(0.9 * options.largest_move / move), cut) : options.growth;
     h = std::min(h * std::min(options.growth, room), largest_step);
   }
   return result;

@@ -68,6 +68,14 @@ std::vector<Mode> modes_nearest_to_zero(const System& system, Tangent& tangent, 
   return modes;
 }
 
+Vector displacements(const System& system, const Vector& mode) {
+  Vector all = Vector::Zero(3 * system.unknowns().points());
+  system.unknowns().scatter(mode, all);
+  double largest = 0;
+  for (int p = 0; p < system.unknowns().points(); ++p) largest = std::max(largest, point(all, p).norm());
+  return largest > 0 ? Vector(all / largest) : all;
+}
+
 std::optional<Mode> unstable_mode(const System& system, Tangent& tangent) {
   const int negative = tangent.negative_pivots().value_or(0);
   if (negative == 0) return std::nullopt;

@@ -59,6 +59,27 @@ class Failures(CommandLineTest):
         difference = self.result("whole.h5")["frames/position"][-1] - self.result("parts.h5")["frames/position"][-1]
         self.assertLess(np.abs(difference).max(), 1e-6)
 
+    def test_a_relaxation_that_stops_on_a_coarser_mesh_can_be_resumed_on_its_own(self):
+        # The edge of its sheet is held and nothing else touches it: one equilibrium, however it is reached.
+        case = self.write("curtain.toml", SHEET.replace('"dynamics"', '"relaxation"')
+                          .replace("cells = [4, 3]", "cells = [24, 18]")
+                          .replace('nodes = { near = [0, 0, 0] }\ncomponents = ["x", "y"]', 'nodes = "top"')
+                          .replace('[[obstacle]]\nkind = "plane"\n', ""))
+        self.done("run", case, "--quiet", "-o", "whole.h5", "--summary", "whole.json")
+        whole = json.loads((self.folder / "whole.json").read_text())
+        self.assertEqual(whole["coarse_meshes"], 1)
+        self.failed("run", case, "-o", "parts.h5", "--set", "relaxation.time_limit='1 us'", pattern=r"time limit of 1e-06 s reached .*--resume")
+        with self.result("parts.h5") as parts:
+            self.assertEqual(parts["frames/position"].shape[:2], (2, 25 * 19))
+            self.assertEqual(len(parts["steps/time"]), 0)
+        self.done("run", case, "--quiet", "--resume", "parts.h5")
+        self.done("run", case, "--quiet", "-o", "plain.h5", "--set", 'relaxation.continuation="off"', "--summary", "plain.json")
+        self.assertNotIn("coarse_meshes", json.loads((self.folder / "plain.json").read_text()))
+        for name in ("parts.h5", "plain.h5"):
+            self.assertTrue((np.diff(self.result(name)["frames/time"]) > 0).all())
+            difference = self.result("whole.h5")["frames/position"][-1] - self.result(name)["frames/position"][-1]
+            self.assertLess(np.abs(difference).max(), 1e-5)  # of a sheet that hangs down 3 cm, to residuals of 1e-6
+
     def test_loads_with_a_ramp_have_their_full_size_in_a_relaxation(self):
         case = self.write("sheet.toml", SHEET.replace('"dynamics"', '"relaxation"').replace("-9.80665]", '-9.80665]\nramp = "1 s"'))
         self.done("run", case, "--quiet", "--summary", "sheet.json")

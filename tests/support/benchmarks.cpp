@@ -56,10 +56,8 @@ Equilibrium equilibrium_from(const Vector& start, const Benchmark& b, double tol
   Equilibrium e{start, {}};
   Silent silent;
   const auto solver = statics_solver(b.c, *b.model.system);
-  auto options = relaxation_options(b.model.size, b.model.gravity);
+  auto options = relaxation_options(b.c, b.model);
   options.tolerance = tolerance;
-  options.first_step = b.c.relaxation.first_step.value_or(options.first_step);
-  options.growth = b.c.relaxation.growth;
   e.result = relax(*b.model.system, *solver, options, e.q, silent);
   EXPECT_EQ(e.result.end, RelaxationEnd::converged) << e.result.diagnosis;
   return e;

@@ -55,6 +55,9 @@ struct CaseModel {
 ///                    that find no edge, supports in conflict, a mesh that cannot be used
 [[nodiscard]] CaseModel build_model(const Case& c);
 
+/// Where points of the rest shape stand once the sheet is placed [m]: what selectors look at.
+[[nodiscard]] std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place);
+
 /// What the cloth exerts on the nodes of a set: what nothing in the system balances.
 struct Reaction {
   Vector3 force;   // [N]

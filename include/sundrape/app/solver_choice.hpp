@@ -4,6 +4,7 @@
 #include "sundrape/app/model.hpp"
 #include "sundrape/integrate/integrator.hpp"
 #include "sundrape/statics/equilibrium_path.hpp"
+#include "sundrape/statics/relaxation.hpp"
 
 namespace sundrape {
 
@@ -17,7 +18,12 @@ namespace sundrape {
 /// while mass matters, but LU for moments without an energy.
 [[nodiscard]] std::unique_ptr<LinearSolver> dynamics_solver(const Case& c);
 
-/// The linear solver that a relaxation takes; "auto": Cholesky where ∂f/∂q is symmetric, else LU.
+/// Tolerance, steps and limits of a relaxation. The energy may rise by a twentieth of weight times size in a step: less
+/// costs steps, since a long one along a fold stretches the cloth and the next one gives that back.
+[[nodiscard]] RelaxationOptions relaxation_options(const Case& c, const CaseModel& model);
+
+/// The linear solver that a relaxation takes; "auto": where ∂f/∂q is symmetric conjugate gradients while they take less
+/// than a hundred iterations, from there on Cholesky; else LU.
 [[nodiscard]] std::unique_ptr<LinearSolver> statics_solver(const Case& c, const System& system);
 
 }  // namespace sundrape

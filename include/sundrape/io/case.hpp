@@ -185,10 +185,12 @@ struct DynamicsCase {
 struct RelaxationCase {
   double tolerance = 1e-6;            // on |out-of-balance force| / |external force|
   std::string scheme = "implicit";    // implicit | chapter
+  bool continuation = true;           // from coarser meshes, where there are any
   std::optional<int> max_iterations;  // default 2000; of the chapter's scheme 1,000,000
   std::optional<double> first_step;   // [s]
   double growth = 1.5;
   std::string linear_solver = "auto";
+  bool relax_unstable = false;       // an unstable end, to the stable equilibrium next to it
   std::optional<double> c_disp;      // [m/N] of the chapter's scheme; default: a safe one from the stiffest mode
   std::optional<double> c_acc;       // [N/m]
   std::optional<double> time_limit;  // wall clock [s]

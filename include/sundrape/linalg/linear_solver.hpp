@@ -13,8 +13,9 @@ enum class FactorStatus { ok, not_positive_definite, singular };
 
 struct SolveReport {
   bool ok = true;
-  int iterations = 0;   // of an iterative solver; 0 for a direct one
-  std::string problem;  // what went wrong, empty if nothing
+  int iterations = 0;        // of an iterative solver; 0 for a direct one
+  std::string problem = {};  // what went wrong, empty if nothing
+  bool indefinite = false;   // the solver failed since it found the matrix not to be positive definite
 };
 
 /// Solves A x = b for one matrix after another on the same structure.

@@ -12,6 +12,7 @@ struct RelaxationOptions {
   double first_step = 1e-3;  // [s]
   double growth = 1.5;       // of the step from one iteration to the next
   double largest_move = 0;   // of a node in one iteration [m], so that none jumps through an obstacle; 0: no limit
+  double largest_rise = 0;   // of the potential energy in one iteration [J]; 0: no limit
   double force_scale = 0;    // compared with instead of the external force where there is none [N]
 };
 
@@ -38,7 +39,9 @@ enum class RelaxationEnd { converged, stopped, stalled };
 
 struct RelaxationResult {
   RelaxationEnd end = RelaxationEnd::converged;
-  int iterations = 0, factorizations = 0;
+  int iterations = 0;
+  int factorizations = 0;     // complete or incomplete, refused ones included
+  int linear_iterations = 0;  // of an iterative solver
   double residual = 0;
   std::string diagnosis;  // why it stalled and what to try
 };
@@ -46,10 +49,12 @@ struct RelaxationResult {
 /// Finds an equilibrium by damped motion whose steps grow until they are Newton's.
 ///
 /// Each iteration is a linearly implicit Euler step of the undamped system, (M/h² + K) Δq = f(q) + M v/h, v = Δq/h,
-/// with kinetic damping: rates are zeroed when the force does negative work on them. h grows by `growth`; a step is
-/// refused and h cut where the matrix is not positive definite or the residual jumps 300-fold, or a node would move
-/// further than `largest_move`. While M/h² matters the motion is downhill, so it leaves saddles (but not a symmetric
-/// path: start from a wavy sheet); when it no longer does, the last steps converge quadratically.
+/// with kinetic damping: rates are zeroed when the force does negative work on them. h grows by `growth`. A step is
+/// refused and h cut where the matrix is not positive definite, and shortened where a node would move further than
+/// `largest_move` or the energy would rise by more than `largest_rise`. While M/h² matters the motion is downhill, so
+/// it leaves saddles (but not a symmetric path: start from a wavy sheet); when it no longer does, the last steps
+/// converge quadratically. Iterative solvers are asked for a hundredth of the right side, and for more digits as the
+/// residual falls.
 [[nodiscard]] RelaxationResult relax(const System& system, LinearSolver& solver, const RelaxationOptions& options,
                                      Vector& q, RelaxationObserver& observer);
 

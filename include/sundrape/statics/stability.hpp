@@ -25,4 +25,7 @@ struct Mode {
 /// nearest to zero; nothing where none is negative.
 [[nodiscard]] std::optional<Mode> unstable_mode(const System& system, Tangent& tangent);
 
+/// A mode as displacements of all points, 3P, the largest of a point 1.
+[[nodiscard]] Vector displacements(const System& system, const Vector& mode);
+
 }  // namespace sundrape
