@@ -6,6 +6,7 @@
 
 #include "sundrape/app/check.hpp"
 #include "sundrape/app/run.hpp"
+#include "sundrape/app/study_run.hpp"
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/compare.hpp"
 #include "sundrape/io/file_error.hpp"
@@ -31,6 +32,7 @@ class CommandLine {
     add_check();
     add_info();
     add_compare();
+    add_study();
   }
 
   int main(int argc, char** argv) {
@@ -98,8 +100,23 @@ class CommandLine {
     });
   }
 
+  void add_study() {
+    auto* verb =
+        app_.add_subcommand("study", "Run one case along axes of its keys, and sort where the runs end into drapes");
+    verb->add_option("STUDY", study_.study_file, "study file (TOML)")->required();
+    verb->add_option("-o,--output", study_.folder,
+                     "folder of the results; finished ones in it are used again; default: the study's name");
+    verb->add_option("--jobs", study_.jobs, "runs at a time; default: one a processor")->check(CLI::Range(1, 1024));
+    verb->add_flag("--quiet", quiet_, "print nothing but errors");
+    verb->callback([this] {
+      if (quiet_) study_.verbosity = sundrape::Verbosity::quiet;
+      status_ = sundrape::run_study(study_);
+    });
+  }
+
   CLI::App app_{"sundrape integrates cloth in time as the mechanical system it is", "sundrape"};
   sundrape::RunOptions run_;
+  sundrape::StudyOptions study_;
   std::string a_, b_;
   bool json_ = false, quiet_ = false, verbose_ = false;
   ExitStatus status_ = ExitStatus::done;

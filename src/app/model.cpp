@@ -5,11 +5,13 @@
 
 #include <Eigen/Geometry>
 
+#include "sundrape/app/last_shape.hpp"
 #include "sundrape/app/obstacles.hpp"
 #include "sundrape/force/dead_load.hpp"
 #include "sundrape/force/drag.hpp"
 #include "sundrape/force/pressure.hpp"
 #include "sundrape/io/case_error.hpp"
+#include "sundrape/io/file_error.hpp"
 #include "sundrape/mesh/builders.hpp"
 #include "sundrape/mesh/directors.hpp"
 #include "sundrape/mesh/import.hpp"
@@ -43,11 +45,14 @@ QuadMesh build_mesh(const ClothCase& cloth) {
       cloth.shape);
 }
 
-std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
-  const Eigen::AngleAxisd turn(place.angle, place.axis.normalized());
+CaseModel::Placement placement(const Place& place) {
+  return {Eigen::AngleAxisd(place.angle, place.axis.normalized()).matrix(), place.translate};
+}
+
+std::vector<Vector3> place(const std::vector<Vector3>& rest, const CaseModel::Placement& placement) {
   std::vector<Vector3> placed;
   placed.reserve(rest.size());
-  for (const auto& x : rest) placed.emplace_back(turn * x + place.translate);
+  for (const auto& x : rest) placed.emplace_back(placement.rotation * x + placement.translation);
   return placed;
 }
 
@@ -182,7 +187,8 @@ double longest_side(const std::vector<Vector3>& positions) {
 
 /// Relaxation starts from a slightly imperfect sheet: a flat symmetric one ends on a saddle.
 double waviness(const Case& c, double thickness_scale) {
-  if (c.cloth.waviness_amplitude > 0 || c.cloth.waviness_given.value_or(false) || c.analysis != Analysis::relaxation)
+  if (c.cloth.waviness_amplitude > 0 || c.cloth.waviness_given.value_or(false) || c.cloth.start ||
+      c.analysis != Analysis::relaxation)
     return c.cloth.waviness_amplitude;
   return std::min(1e-5, 0.02 * thickness_scale);
 }
@@ -197,6 +203,15 @@ void lay_on_obstacles(const ObstacleContact& contact, double weight_per_area, co
     if (!(std::abs(gap) <= reach) || gap >= rest) continue;
     for (int k = 0; k < 3; ++k)
       if (!supports.position[i][static_cast<std::size_t>(k)]) positions[i][k] += (rest - gap) * normal[k];
+  }
+}
+
+/// Where an earlier result ended.
+ShapeAtRest start_of(const StartCase& start, const QuadMesh& mesh) {
+  try {
+    return last_shape(ResultReader(start.file), mesh);
+  } catch (const FileError& problem) {
+    throw CaseError(start.source, problem.what());
   }
 }
 
@@ -225,7 +240,8 @@ CaseModel build_model(const Case& c) {
   CaseModel model;
   model.mesh = build_mesh(c.cloth);
   model.size = longest_side(model.mesh.reference);
-  const auto placed = place(model.mesh.reference, c.cloth.place);
+  model.placement = placement(c.cloth.place);
+  const auto placed = place(model.mesh.reference, model.placement);
   const auto threads = find_threads(model.mesh);
   const auto supports = support(c, model, placed);
   for (const auto& probe : c.output.probes)
@@ -244,19 +260,26 @@ CaseModel build_model(const Case& c) {
   if (c.fabric.damping.mass > 0) sheet.terms.push_back(std::make_unique<Drag>(sheet.mass, c.fabric.damping.mass));
   add_contact(c, model, sheet.terms);
 
-  auto start = wavy(model.mesh, placed, waviness(c, c.fabric.thickness), c.cloth.waviness_seed);
+  const auto earlier = c.cloth.start ? start_of(*c.cloth.start, model.mesh) : ShapeAtRest{placed, {}};
+  auto start = wavy(model.mesh, earlier.positions, waviness(c, c.fabric.thickness), c.cloth.waviness_seed);
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
-  if (model.contact != nullptr)
+  if (model.contact != nullptr && !c.cloth.start)
     lay_on_obstacles(*model.contact, c.fabric.area_density * model.gravity, supports, start);
   auto points = start;
   if (model.has_directors()) {
-    const auto carried = carried_directors(model.mesh, sheet.directors, placed, start);
+    const auto carried = earlier.directors.empty()
+                             ? carried_directors(model.mesh, sheet.directors, placed, start)
+                             : carried_directors(model.mesh, earlier.directors, earlier.positions, start);
     for (std::size_t i = 0; i < carried.size(); ++i) {
       const auto& held = supports.director[i];
-      const bool free = !held[0] && !held[1] && !held[2];
-      points.emplace_back(model.director_length * (free ? carried[i] : sheet.directors[i]));
+      Vector3 director = carried[i];
+      const bool any_held = held[0] || held[1] || held[2];
+      for (std::size_t k = 0; k < 3; ++k)  // of a sheet at its start a director that is held at all stands as placed
+        if (held[k] || (any_held && !c.cloth.start))
+          director[static_cast<int>(k)] = sheet.directors[i][static_cast<int>(k)];
+      points.emplace_back(model.director_length * director);
     }
   }
   model.initial = flatten(points);

@@ -45,6 +45,10 @@ void describe_cloth(CaseDescription& out, const ClothCase& cloth) {
     out.verbatim("units", fmt::format("{:.10g} m", mesh->unit));
   }
   describe_place(out, "cloth", cloth.place);
+  if (cloth.start) {
+    out.enter("cloth", "cloth");
+    out.text("start", cloth.start->file.string());
+  }
   if (cloth.waviness_given.value_or(false)) {
     out.enter("waviness", "cloth.waviness");
     out.number("amplitude", cloth.waviness_amplitude);
@@ -234,6 +238,7 @@ void describe_dynamics(CaseDescription& out, const DynamicsCase& dynamics) {
   out.maybe_number("max_step", dynamics.max_step);
   out.maybe_number("first_step", dynamics.first_step);
   out.text("linear_solver", dynamics.linear_solver);
+  out.maybe_number("until_rest", dynamics.until_rest);
   out.maybe_number("time_limit", dynamics.time_limit);
 }
 

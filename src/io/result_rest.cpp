@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sundrape/io/mesh_difference.hpp"
 #include "sundrape/io/result_layout.hpp"
 
 namespace sundrape {

@@ -23,7 +23,14 @@ struct CaseModel {
     std::vector<int> nodes;
   };
 
+  /// Rest shape to initial position, x = R X + t.
+  struct Placement {
+    Matrix3 rotation = Matrix3::Identity();
+    Vector3 translation = Vector3::Zero();  // [m]
+  };
+
   QuadMesh mesh;
+  Placement placement;
   std::unique_ptr<System> system;
   Vector initial;  // placed and wavy positions, then directors times ℓ, 3P [m]
   EdgeStrains edge_strains;
