@@ -58,10 +58,8 @@ std::vector<Vector> trial_states(const CaseModel& model, std::span<const Vector>
   std::vector<Vector> states{shaken(model, model.initial, 1e-3 * size, random),
                              shaken(model, waved(model, model.initial, random), 1e-3 * size, random),
                              shaken(model, model.initial, 0.2 * size, random)};
-  for (const auto& state : visited) {
-    states.push_back(state);
-    states.push_back(shaken(model, state, 1e-3 * size, random));
-  }
+  // Not as they are: where a kind of force is all but absent, its round-off would be all that is compared.
+  for (const auto& state : visited) states.push_back(shaken(model, state, 1e-3 * size, random));
   return states;
 }
 

@@ -26,8 +26,7 @@ ShapeAtRest last_shape(const ResultReader& result, const QuadMesh& mesh) {
   const Vector positions = result.position(last);
   if (!positions.allFinite()) throw FileError(fmt::format("{}: its last positions are not finite", name));
   ShapeAtRest shape{points_of(positions), {}};
-  if (result.has_director())
-    for (const auto& d : points_of(result.director(last))) shape.directors.emplace_back(d.normalized());
+  if (result.has_director()) shape.directors = points_of(result.director(last));
   return shape;
 }
 

@@ -185,12 +185,11 @@ double longest_side(const std::vector<Vector3>& positions) {
   return box.sizes().maxCoeff();
 }
 
-/// Relaxation starts from a slightly imperfect sheet: a flat symmetric one ends on a saddle.
-double waviness(const Case& c, double thickness_scale) {
-  if (c.cloth.waviness_amplitude > 0 || c.cloth.waviness_given.value_or(false) || c.cloth.start ||
-      c.analysis != Analysis::relaxation)
-    return c.cloth.waviness_amplitude;
-  return std::min(1e-5, 0.02 * thickness_scale);
+/// Of a dynamic case that does not say, or one that starts from an earlier result: none.
+double waviness(const Case& c) {
+  const bool said = c.cloth.waviness_given.value_or(false) || c.cloth.waviness_amplitude > 0;
+  if (said || c.cloth.start || c.analysis == Analysis::dynamics) return c.cloth.waviness_amplitude;
+  return default_waviness(c);
 }
 
 /// Cloth that starts on an obstacle would spring off it, since the contact force sets in above the surface: nodes
@@ -236,6 +235,8 @@ Vector CaseModel::directors_of(const ConstVectorRef& all) const {
   return all.tail(3 * static_cast<Eigen::Index>(mesh.nodes())) / director_length;
 }
 
+double default_waviness(const Case& c) { return std::min(1e-5, 0.02 * c.fabric.thickness); }
+
 CaseModel build_model(const Case& c) {
   CaseModel model;
   model.mesh = build_mesh(c.cloth);
@@ -261,7 +262,7 @@ CaseModel build_model(const Case& c) {
   add_contact(c, model, sheet.terms);
 
   const auto earlier = c.cloth.start ? start_of(*c.cloth.start, model.mesh) : ShapeAtRest{placed, {}};
-  auto start = wavy(model.mesh, earlier.positions, waviness(c, c.fabric.thickness), c.cloth.waviness_seed);
+  auto start = wavy(model.mesh, earlier.positions, waviness(c), c.cloth.waviness_seed);
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];

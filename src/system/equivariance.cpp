@@ -1,6 +1,8 @@
 #include "sundrape/system/equivariance.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace sundrape {
@@ -35,6 +37,7 @@ double equivariance_defect(const System& system, const PointMap& map, const Vect
   for (const auto& [kind, force] : before) {
     const Vector& moved = after.at(kind);
     const double size = std::max(force.norm(), moved.norm());
+    if (!std::isfinite(size)) return std::numeric_limits<double>::infinity();
     if (size > 0) worst = std::max(worst, (moved - map.turn(force)).norm() / size);
   }
   return worst;

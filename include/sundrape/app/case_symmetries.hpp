@@ -26,8 +26,8 @@ struct CaseSymmetries {
 /// The symmetries of a case, found by trying: of the sheet's own symmetries, placed as the sheet is, those that leave
 /// the supports as they are and that the total force follows, f(g q) = g f(q), to 1e-6 of it at every trial state.
 ///
-/// The trial states are the start under small and under large random displacements, and the given states, as they are
-/// and displaced: forces of obstacles that none of them touches are not seen.
+/// The trial states are the start under small and under large random displacements, and the given states under
+/// small ones: forces of obstacles that none of them touches are not seen.
 /// @param visited  states of all points, 3P each [m]; end states are the ones to give
 [[nodiscard]] CaseSymmetries find_case_symmetries(const CaseModel& model, std::span<const Vector> visited = {});
 

@@ -9,7 +9,7 @@ namespace sundrape {
 /// A sheet as a result left it.
 struct ShapeAtRest {
   std::vector<Vector3> positions;  // N [m]
-  std::vector<Vector3> directors;  // N, unit; empty where the result has none
+  std::vector<Vector3> directors;  // N, of length 1 within their stiffness; empty where the result has none
 };
 
 /// The last frame of a result on the mesh.

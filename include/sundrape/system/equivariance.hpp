@@ -11,7 +11,7 @@ namespace sundrape {
 /// to round-off where the map is a symmetry of sheet, loads and obstacles, at this state.
 ///
 /// Kinds are compared apart, since the membrane is a million times stiffer than weight is heavy. Damping and ramps do
-/// not enter: at rest, with loads in full.
+/// not enter: at rest, with loads in full. Infinite where forces are not finite.
 /// @param q  3P [m]
 [[nodiscard]] double equivariance_defect(const System& system, const PointMap& map, const Vector& q);
 
