@@ -51,7 +51,7 @@ class Work {
   ExitStatus run() {
     if (!run_methods()) return interrupted();
     compare_ends();
-    if (!relax_other_branches()) return interrupted();
+    if (!relax_others()) return interrupted();
     write_file(batch_.folder / "crosscheck.txt", crosscheck_text(check_));
     write_file(batch_.folder / "crosscheck.json", crosscheck_json(check_, model_.mesh.nodes()).dump(1) + "\n");
     if (options_.verbosity != Verbosity::quiet) {
@@ -119,13 +119,14 @@ class Work {
       MethodPair pair{.first = first, .second = second, .apart = {}, .laid_on = {}, .relaxed = {}};
       pair.apart = shape_distance(symmetries_, model_.mesh.nodes(), methods[first].end->q, methods[second].end->q);
       pair.laid_on = weigh(model_, pair.apart.aligned);
-      pair.same_branch = pair.apart.rms < check_.same_shape * check_.diagonal;
+      pair.same_drape = pair.apart.rms < check_.same_drape * check_.diagonal;
+      pair.same_branch = pair.apart.rms < check_.same_branch * check_.size;
       check_.pairs.push_back(std::move(pair));
     }
   }
 
-  /// Relaxes ends that are on another branch than the first method's, from where they are. False if interrupted.
-  bool relax_other_branches() {
+  /// Relaxes ends that are not where the first method's is, from where they are. False if interrupted.
+  bool relax_others() {
     std::vector<BatchRun> runs;
     std::vector<MethodPair*> pairs;
     for (auto& pair : check_.pairs) {
@@ -149,6 +150,9 @@ class Work {
                                           relaxed.end->q);
         relaxed.moved_rms = moved.rms;
         relaxed.moved_max = moved.max;
+        const auto& first = check_.methods[pairs[i]->first].end->q;
+        relaxed.apart_rms = shape_distance(symmetries_, model_.mesh.nodes(), first, relaxed.end->q).rms;
+        pairs[i]->same_branch = relaxed.apart_rms < check_.same_branch * check_.size;
       }
       pairs[i]->relaxed = std::move(relaxed);
     }

@@ -1,5 +1,6 @@
 #include "sundrape/app/crosscheck_report.hpp"
 
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -19,11 +20,15 @@ std::string distance(const Crosscheck& check, double metres) {
                      100 * metres / check.size);
 }
 
+std::string verdict(const MethodPair& pair) {
+  if (pair.same_branch) return "the same branch";
+  return pair.same_drape ? "different branches of one drape" : "different branches";
+}
+
 void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& text) {
   const auto out = std::back_inserter(text);
   const auto &a = check.methods[pair.first], &b = check.methods[pair.second];
-  fmt::format_to(out, "\n{} and {} are on {}.\n", a.name, b.name,
-                 pair.same_branch ? "the same branch" : "different branches");
+  fmt::format_to(out, "\n{} and {} are on {}.\n", a.name, b.name, verdict(pair));
   fmt::format_to(out, "  RMS distance  {}\n  max distance  {}\n", distance(check, pair.apart.rms),
                  distance(check, pair.apart.max));
   const double gap = pair.laid_on.total_energy - a.end->total_energy;
@@ -39,13 +44,15 @@ void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& tex
     fmt::format_to(out, "  the end of {} could not be relaxed: {}\n", b.name, pair.relaxed->failure);
     return;
   }
-  fmt::format_to(out, "  the end of {} relaxes to within {} RMS of itself (at most {:.3g} m)\n", b.name,
-                 distance(check, pair.relaxed->moved_rms), pair.relaxed->moved_max);
-  fmt::format_to(out, "  and there it is {}, with {:.6e} J: {}\n", stability(*pair.relaxed->end),
-                 pair.relaxed->end->total_energy,
-                 pair.relaxed->moved_rms < check.same_shape * check.diagonal
-                     ? "an equilibrium of relaxation too, another one than it finds from the start"
-                     : "not where it ended");
+  fmt::format_to(out, "  the end of {} relaxes to within {} of itself (at most {:.3g} m), {}\n", b.name,
+                 distance(check, pair.relaxed->moved_rms), pair.relaxed->moved_max, stability(*pair.relaxed->end));
+  if (pair.same_branch)
+    fmt::format_to(out, "  and there to within {} of {}: it had not arrived\n",
+                   distance(check, pair.relaxed->apart_rms), a.name);
+  else if (pair.relaxed->moved_rms < 0.1 * pair.relaxed->apart_rms)
+    fmt::format_to(out, "  so it is an equilibrium of relaxation too, another one than it finds from the start\n");
+  else
+    fmt::format_to(out, "  so where {} ended is no equilibrium of relaxation\n", b.name);
 }
 
 }  // namespace
@@ -76,10 +83,15 @@ std::string crosscheck_text(const Crosscheck& check) {
 }
 
 nlohmann::json crosscheck_json(const Crosscheck& check, int nodes) {
-  nlohmann::json json{{"format", "sundrape crosscheck"}, {"title", check.title},
-                      {"diagonal_m", check.diagonal},    {"size_m", check.size},
-                      {"same_shape", check.same_shape},  {"symmetries", check.symmetries},
-                      {"left_out", check.left_out},      {"methods", nlohmann::json::array()},
+  nlohmann::json json{{"format", "sundrape crosscheck"},
+                      {"title", check.title},
+                      {"diagonal_m", check.diagonal},
+                      {"size_m", check.size},
+                      {"same_drape_over_diagonal", check.same_drape},
+                      {"same_branch_over_size", check.same_branch},
+                      {"symmetries", check.symmetries},
+                      {"left_out", check.left_out},
+                      {"methods", nlohmann::json::array()},
                       {"pairs", nlohmann::json::array()}};
   for (const auto& method : check.methods) {
     nlohmann::json entry = method.end ? to_json(*method.end) : nlohmann::json::object();
@@ -99,6 +111,7 @@ nlohmann::json crosscheck_json(const Crosscheck& check, int nodes) {
     nlohmann::json entry{{"first", check.methods[pair.first].name},
                          {"second", check.methods[pair.second].name},
                          {"same_branch", pair.same_branch},
+                         {"same_drape", pair.same_drape},
                          {"rms_m", pair.apart.rms},
                          {"max_m", pair.apart.max},
                          {"rms_over_diagonal", pair.apart.rms / check.diagonal},
@@ -113,7 +126,8 @@ nlohmann::json crosscheck_json(const Crosscheck& check, int nodes) {
       entry["relaxed"].update({{"result", pair.relaxed->result.filename().string()},
                                {"message", pair.relaxed->failure},
                                {"moved_rms_m", pair.relaxed->moved_rms},
-                               {"moved_max_m", pair.relaxed->moved_max}});
+                               {"moved_max_m", pair.relaxed->moved_max},
+                               {"apart_rms_m", pair.relaxed->apart_rms}});
     }
     json["pairs"].push_back(std::move(entry));
   }

@@ -34,15 +34,17 @@ struct MethodEnd {
 struct MethodPair {
   std::size_t first = 0, second = 0;  // methods
   ShapeDistance apart;
-  EndState laid_on;  // the second's end after the symmetry that brings it closest to the first's
-  bool same_branch = false;
+  EndState laid_on;          // the second's end after the symmetry that brings it closest to the first's
+  bool same_drape = false;   // nearer than Crosscheck::same_drape
+  bool same_branch = false;  // nearer than Crosscheck::same_branch, or relaxed to there
 
-  /// On different branches: where the second's end relaxes to.
+  /// Where the second's end relaxes to, if it is not on the first's branch at once.
   struct Relaxed {
     std::filesystem::path result;
     std::string failure;
     std::optional<EndState> end;
-    double moved_rms = 0, moved_max = 0;  // [m]
+    double moved_rms = 0, moved_max = 0;  // from the second's end [m]
+    double apart_rms = 0;                 // from the first's end, after the case's symmetries [m]
   };
   std::optional<Relaxed> relaxed;
 };
@@ -51,7 +53,8 @@ struct MethodPair {
 struct Crosscheck {
   std::string title;
   double diagonal = 0, size = 0;  // of the cloth; its longest side [m]
-  double same_shape = 0.01;       // RMS over the diagonal below which two ends are on one branch
+  double same_drape = 0.01;       // RMS over the diagonal below which two ends look alike
+  double same_branch = 1e-3;      // RMS over the longest side below which they are one equilibrium
   std::size_t symmetries = 0;
   std::vector<MethodEnd> methods;
   std::vector<std::string> left_out;  // methods that this version does not have
@@ -61,8 +64,9 @@ struct Crosscheck {
 /// Runs a case by relaxation, by arc-length and as damped motion until it rests, compares where they end, prints it and
 /// writes FOLDER/crosscheck.txt and crosscheck.json; results are FOLDER/<method>.h5.
 ///
-/// Where two ends differ by more than 1 % of the diagonal (RMS, after the case's symmetries) they are on different
-/// branches; then the second one is relaxed from where it ended, to see whether it is an equilibrium of statics too.
+/// Two ends nearer than 0.1 % of L (RMS, after the case's symmetries) are the same equilibrium. Where they are not, the
+/// second one is relaxed from where it ended: that decides between a motion that has not arrived and another branch,
+/// which may be near: a sheet has equilibria that look alike.
 /// @return failed if a run failed, with the others compared all the same; done also where branches differ
 /// @throws CaseError, FileError, std::system_error
 [[nodiscard]] ExitStatus run_crosscheck(const CrosscheckOptions& options);
