@@ -56,7 +56,7 @@ def _shapes(axes: Any, first: Result, second: np.ndarray, pair: dict[str, Any]) 
     room = np.maximum(high - low, 0.05 * (high - low).max())
     for name, a, b in zip("xyz", (low + high - room) / 2, (low + high + room) / 2):
         getattr(axes, f"set_{name}lim")(a, b)
-    axes.set_box_aspect(room)
+    axes.set_box_aspect(room, zoom=1.45)
     axes.set_axis_off()
     axes.view_init(elev=22, azim=-58)
     verdict = "the same branch" if pair["same_branch"] else "different branches"

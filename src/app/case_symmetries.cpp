@@ -92,40 +92,54 @@ bool is_symmetry(const CaseModel& model, const PointMap& map, const std::vector<
              trials, [&](const Vector& q) { return equivariance_defect(*model.system, map, q) <= force_tolerance; });
 }
 
-/// Forces are unchanged by a slide along a null vector of Σ (∂f/∂s)ᵀ (∂f/∂s), s = (x, y).
-std::vector<Vector3> neutral_slides(const CaseModel& model, const std::vector<Vector>& trials) {
-  const auto& unknowns = model.system->unknowns();
-  Eigen::Matrix2d change = Eigen::Matrix2d::Zero();
-  const auto add = [&](const Vector& along_x, const Vector& along_y) {
-    const double xy = along_x.dot(along_y);
-    change += Eigen::Matrix2d{{along_x.squaredNorm(), xy}, {xy, along_y.squaredNorm()}};
-  };
-  const double step = 1e-3 * model.size;
+/// Forces of obstacles, the only ones that tell places apart, 3P [N].
+Vector contact_forces(const CaseModel& model, const Vector& q) {
+  const Vector still = Vector::Zero(q.size());
+  Vector forces = still;
+  for (const auto& term : model.system->terms())
+    if (term->kind() == EnergyKind::contact) term->add_force({0, q, still}, forces);
+  return forces;
+}
+
+Vector slid(const CaseModel& model, Vector q, const Vector3& by) {
+  for (int i = 0; i < model.mesh.nodes(); ++i) point(q, i) += by;
+  return q;
+}
+
+/// Σ over trials of (∂f/∂s)ᵀ (∂f/∂s) / |f|², s = (x, y) over the sheet's size, and what holds the sheet in x and y.
+Eigen::Matrix2d resistance(const CaseModel& model, const std::vector<Vector>& trials) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  constexpr double step = 1e-9;  // over the size: within the contact law's reach so little that forces change linearly
   for (const auto& q : trials) {
-    const Vector still = Vector::Zero(q.size());
-    const auto force = [&](const Vector& x) {
-      Vector contact = Vector::Zero(q.size());
-      for (const auto& term : model.system->terms())
-        if (term->kind() == EnergyKind::contact) term->add_force({0, x, still}, contact);
-      return contact;
-    };
-    const Vector here = force(q);
+    const Vector here = contact_forces(model, q);
     if (here.norm() == 0) continue;
-    const auto moved = [&](const Vector3& axis) {
-      Vector x = q;
-      for (int i = 0; i < model.mesh.nodes(); ++i) point(x, i) += step * axis;
-      return Vector((force(x) - here) / here.norm());
-    };
-    add(moved(Vector3::UnitX()), moved(Vector3::UnitY()));
+    Eigen::MatrixX2d change(q.size(), 2);
+    for (int k = 0; k < 2; ++k)
+      change.col(k) =
+          (contact_forces(model, slid(model, q, step * model.size * Vector3::Unit(k))) - here) / (step * here.norm());
+    sum += change.transpose() * change;
   }
   for (int p = 0; p < model.mesh.nodes(); ++p)
     for (int k = 0; k < 2; ++k)
-      if (unknowns.is_held(p, k)) change(k, k) += 1;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(change);
+      if (model.system->unknowns().is_held(p, k)) sum(k, k) += 1e12;
+  return sum;
+}
+
+/// Directions in which neither an obstacle nor a support minds a slide: null vectors of the resistance.
+std::vector<Vector3> neutral_slides(const CaseModel& model, const std::vector<Vector>& trials) {
+  constexpr double tolerance = 1e-4;  // differences are as exact as that
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(resistance(model, trials));
   std::vector<Vector3> slides;
-  for (int k = 0; k < 2; ++k)
-    if (modes.eigenvalues()[k] <= force_tolerance * force_tolerance * static_cast<double>(trials.size()))
-      slides.emplace_back(modes.eigenvectors()(0, k), modes.eigenvectors()(1, k), 0);
+  for (int k = 0; k < 2; ++k) {
+    if (modes.eigenvalues()[k] > tolerance * tolerance * modes.eigenvalues()[1]) continue;
+    const Vector3 along(modes.eigenvectors()(0, k), modes.eigenvectors()(1, k), 0);
+    const bool neutral = std::ranges::all_of(trials, [&](const Vector& q) {
+      const Vector here = contact_forces(model, q);
+      return (contact_forces(model, slid(model, q, 1e-3 * model.size * along)) - here).norm() <=
+             tolerance * here.norm();
+    });
+    if (neutral) slides.push_back(along);
+  }
   return slides;
 }
 

@@ -68,7 +68,7 @@ std::string runs_csv(const Study& study, const StudyOutcome& outcome) {
   for (std::size_t run = 0; run < outcome.runs.size(); ++run) {
     std::vector<std::string> cells{outcome.names[run]};
     const auto chosen = study.combination(run);
-    for (std::size_t a = 0; a < study.axes.size(); ++a) cells.push_back(study.axes[a].values[chosen[a]]);
+    for (std::size_t a = 0; a < study.axes.size(); ++a) cells.push_back(shown(study.axes[a].values[chosen[a]]));
     const auto place = place_of(outcome, run);
     cells.emplace_back(status_text(outcome.runs[run].status));
     cells.push_back(place.drape ? fmt::format("{}", *place.drape + 1) : "");

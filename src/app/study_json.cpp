@@ -13,7 +13,11 @@ nlohmann::json study_json(const Study& study, const StudyOutcome& outcome, const
                       {"same_shape", study.same_shape},  {"group_by", axis_keys(study, true)},
                       {"axes", nlohmann::json::array()}, {"groups", nlohmann::json::array()},
                       {"runs", nlohmann::json::array()}};
-  for (const auto& axis : study.axes) json["axes"].push_back({{"key", axis.key}, {"values", axis.values}});
+  for (const auto& axis : study.axes) {
+    std::vector<std::string> values;
+    for (const auto& value : axis.values) values.push_back(shown(value));
+    json["axes"].push_back({{"key", axis.key}, {"values", values}});
+  }
   for (const auto& group : outcome.groups) {
     nlohmann::json entry{{"values", group_values(study, group)},
                          {"diagonal_m", group.diagonal},
@@ -38,7 +42,7 @@ nlohmann::json study_json(const Study& study, const StudyOutcome& outcome, const
     nlohmann::json entry = outcome.ends[run] ? to_json(*outcome.ends[run]) : nlohmann::json::object();
     const auto chosen = study.combination(run);
     for (std::size_t a = 0; a < study.axes.size(); ++a)
-      entry["values"][study.axes[a].key] = study.axes[a].values[chosen[a]];
+      entry["values"][study.axes[a].key] = shown(study.axes[a].values[chosen[a]]);
     const auto place = place_of(outcome, run);
     if (place.drape) entry.update({{"group", place.group}, {"drape", *place.drape + 1}});
     entry.update({{"name", outcome.names[run]},

@@ -11,6 +11,11 @@ std::string joined(const std::vector<std::string>& parts, const char* by) {
   return fmt::format("{}", fmt::join(parts, by));
 }
 
+std::string shown(const std::string& value) {
+  const bool text = value.size() >= 2 && value.front() == '"' && value.back() == '"';
+  return text ? value.substr(1, value.size() - 2) : value;
+}
+
 bool is_group_axis(const Study& study, std::size_t axis) {
   return std::ranges::find(study.group_axes, axis) != study.group_axes.end();
 }
@@ -19,7 +24,7 @@ std::string run_label(const Study& study, std::size_t run) {
   std::vector<std::string> values;
   const auto chosen = study.combination(run);
   for (std::size_t a = 0; a < study.axes.size(); ++a)
-    if (!is_group_axis(study, a)) values.push_back(study.axes[a].values[chosen[a]]);
+    if (!is_group_axis(study, a)) values.push_back(shown(study.axes[a].values[chosen[a]]));
   return values.size() == 1 ? values.front() : fmt::format("({})", joined(values, ", "));
 }
 
@@ -39,7 +44,7 @@ std::vector<std::string> axis_keys(const Study& study, bool of_groups) {
 std::vector<std::string> group_values(const Study& study, const StudyGroup& group) {
   std::vector<std::string> values;
   for (std::size_t k = 0; k < study.group_axes.size(); ++k)
-    values.push_back(study.axes[study.group_axes[k]].values[group.values[k]]);
+    values.push_back(shown(study.axes[study.group_axes[k]].values[group.values[k]]));
   return values;
 }
 

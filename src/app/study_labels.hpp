@@ -9,6 +9,8 @@ namespace sundrape {
 
 /// Words that the reports of a study share.
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, const char* by);
+/// A value of an axis without the quotes of a string.
+[[nodiscard]] std::string shown(const std::string& value);
 [[nodiscard]] bool is_group_axis(const Study& study, std::size_t axis);
 /// The values of the axes within a group that make a run: "3", or "(3, 0.1)" where there are several.
 [[nodiscard]] std::string run_label(const Study& study, std::size_t run);

@@ -37,9 +37,9 @@ void group_text(const Study& study, const StudyOutcome& outcome, const StudyGrou
   const auto values = group_values(study, group);
   for (std::size_t k = 0; k < values.size(); ++k)
     labels.push_back(fmt::format("{} = {}", study.axes[study.group_axes[k]].key, values[k]));
-  fmt::format_to(out, "\n{}{}{} of {} runs", joined(labels, ", "), labels.empty() ? "" : ": ",
+  fmt::format_to(out, "\n{}{}{} of {} run{}", joined(labels, ", "), labels.empty() ? "" : ": ",
                  group.drapes.size() == 1 ? "one drape" : fmt::format("{} drapes", group.drapes.size()),
-                 group.runs.size());
+                 group.runs.size(), group.runs.size() == 1 ? "" : "s");
   if (group.runs.empty()) {
     text += "\n";
     return;

@@ -30,8 +30,13 @@ std::optional<std::vector<std::string>> CaseSection::listed_values(std::string_v
   if (list->empty()) fail(name, "the list is empty");
   std::vector<std::string> all;
   for (const auto& entry : *list) {
+    if (const auto* number = entry.as_floating_point()) {
+      all.push_back(fmt::format("{}", number->get()));  // as short as it was written; TOML++ prints 17 digits
+      continue;
+    }
     std::ostringstream text;
-    text << toml::toml_formatter(entry);
+    text << toml::toml_formatter(entry,
+                                 toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings);
     all.push_back(text.str());
   }
   return all;
