@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
-#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,9 +10,9 @@
 #include "sundrape/app/crosscheck_report.hpp"
 #include "sundrape/app/run_batch.hpp"
 #include "sundrape/io/case_reader.hpp"
-#include "sundrape/io/file_error.hpp"
 
 #include "crosscheck_methods.hpp"
+#include "write_text.hpp"
 
 namespace sundrape {
 namespace {
@@ -27,21 +25,14 @@ Settings operator+(Settings a, const Settings& b) {
   return a;
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw FileError(fmt::format("{}: cannot be written", file.string()));
-}
-
 /// One crosscheck as it goes on.
 class Work {
  public:
   explicit Work(const CrosscheckOptions& options)
       : options_(options), case_(read_case(options.case_file, options.sets)), model_(static_model()) {
-    const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     batch_ = {.case_file = options.case_file,
               .folder = options.folder.value_or(options.case_file.stem().string() + "-crosscheck"),
-              .jobs = options.jobs > 0 ? options.jobs : processors,
+              .jobs = options.jobs,
               .verbosity = options.verbosity};
     check_.title = case_.title;
     check_.diagonal = diagonal(model_.mesh);
@@ -52,8 +43,8 @@ class Work {
     if (!run_methods()) return interrupted();
     compare_ends();
     if (!relax_others()) return interrupted();
-    write_file(batch_.folder / "crosscheck.txt", crosscheck_text(check_));
-    write_file(batch_.folder / "crosscheck.json", crosscheck_json(check_, model_.mesh.nodes()).dump(1) + "\n");
+    write_text(batch_.folder / "crosscheck.txt", crosscheck_text(check_));
+    write_text(batch_.folder / "crosscheck.json", crosscheck_json(check_, model_.mesh.nodes()).dump(1) + "\n");
     if (options_.verbosity != Verbosity::quiet) {
       std::cout << crosscheck_text(check_);
       fmt::print("a picture of it: python3 -m sundrape_postproc crosscheck {} -o {}\n", batch_.folder.string(),
@@ -98,6 +89,9 @@ class Work {
         const ResultReader result(outcomes[i].result);
         method.end = end_state(model_, result);
         method.warnings = result.warnings();
+        const double last = result.frame_values().back();
+        if (result.frame_variable() == FrameVariable::load_factor && std::abs(last - 1) > 1e-6)
+          method.warnings.push_back(fmt::format("ended at a load factor of {:.6g}, not under the whole load", last));
       }
       fresh_.push_back(!outcomes[i].reused);
       check_.methods.push_back(std::move(method));

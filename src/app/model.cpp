@@ -185,10 +185,10 @@ double longest_side(const std::vector<Vector3>& positions) {
   return box.sizes().maxCoeff();
 }
 
-/// Of a dynamic case that does not say, or one that starts from an earlier result: none.
+/// Only relaxation from the rest shape has some where the case does not say.
 double waviness(const Case& c) {
   const bool said = c.cloth.waviness_given.value_or(false) || c.cloth.waviness_amplitude > 0;
-  if (said || c.cloth.start || c.analysis == Analysis::dynamics) return c.cloth.waviness_amplitude;
+  if (said || c.cloth.start || c.analysis != Analysis::relaxation) return c.cloth.waviness_amplitude;
   return default_waviness(c);
 }
 

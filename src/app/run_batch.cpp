@@ -22,6 +22,8 @@ namespace {
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
+constexpr const char* this_program = "/proc/self/exe";  // the very one, even if its file has been replaced since
+
 enum class Earlier { nothing, done, resumable };
 
 /// What an earlier batch left in a file, if it is of this very case.
@@ -51,7 +53,7 @@ class Batch {
   Batch(const std::vector<BatchRun>& runs, const BatchOptions& options)
       : runs_(runs),
         options_(options),
-        executable_(fs::read_symlink("/proc/self/exe").string()),
+        jobs_(options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
         outcomes_(runs.size()),
         progress_(options.verbosity) {}
 
@@ -59,7 +61,7 @@ class Batch {
     sort_out();
     const InterruptGuard guard;
     while (!(waiting_.empty() || asked_to_stop_) || !working_.empty()) {
-      while (!asked_to_stop_ && !waiting_.empty() && static_cast<int>(working_.size()) < options_.jobs) start_next();
+      while (!asked_to_stop_ && !waiting_.empty() && static_cast<int>(working_.size()) < jobs_) start_next();
       std::this_thread::sleep_for(20ms);
       collect();
       if (InterruptGuard::requested() && !asked_to_stop_) {
@@ -98,7 +100,7 @@ class Batch {
     const auto [index, resume] = waiting_.front();
     waiting_.pop_front();
     const auto result = outcomes_[index].result.string();
-    std::vector<std::string> command{executable_, "run", options_.case_file.string(), "--quiet"};
+    std::vector<std::string> command{this_program, "run", options_.case_file.string(), "--quiet"};
     if (resume)
       command.insert(command.end(), {"--resume", result});
     else
@@ -151,7 +153,7 @@ class Batch {
 
   const std::vector<BatchRun>& runs_;
   const BatchOptions& options_;
-  std::string executable_;
+  int jobs_;
   std::vector<BatchOutcome> outcomes_;
   Progress progress_;
   std::list<Waiting> waiting_;

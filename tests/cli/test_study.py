@@ -205,6 +205,10 @@ class Refusals(Study):
         self.write("strip.toml", STRIP.replace("poisson = 0.3", "poisson = 3"))
         self.refused(STUDY, 2, "strip.toml:.*material.poisson: 3 is outside")
 
+    def test_a_case_that_cannot_be_built(self):
+        self.write("strip.toml", STRIP.replace('nodes = "left"', 'nodes = "hem"'))
+        self.refused(STUDY, 2, "strip.toml:.*fix.0.nodes:.*hem")
+
     def test_meshes_that_cannot_be_compared(self):
         text = STUDY + '[[axis]]\nkey = "cloth.cells"\nvalues = [[6, 1], [8, 1]]\n[branches]\ngroup_by = []\n'
         done = self.study(text)

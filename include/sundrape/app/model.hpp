@@ -62,7 +62,7 @@ struct CaseModel {
 ///                    that find no edge, supports in conflict, a mesh that cannot be used
 [[nodiscard]] CaseModel build_model(const Case& c);
 
-/// Amplitude of the waviness that static analyses start from unless the case says otherwise [m]: a flat symmetric sheet
+/// Amplitude of the waviness that relaxation starts from unless the case says otherwise [m]: a flat symmetric sheet
 /// ends on a saddle.
 [[nodiscard]] double default_waviness(const Case& c);
 

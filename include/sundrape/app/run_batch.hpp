@@ -16,7 +16,7 @@ struct BatchRun {
 struct BatchOptions {
   std::filesystem::path case_file;
   std::filesystem::path folder;  // where results go; made if it is not there
-  int jobs = 1;                  // processes at a time
+  int jobs = 0;                  // processes at a time; 0: one a processor
   Verbosity verbosity = Verbosity::normal;
 };
 
