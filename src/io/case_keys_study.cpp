@@ -47,7 +47,7 @@ Section axis() {
                .type = KeyType::values,
                .holds = "axis.values",
                .required = true,
-               .doc = "A list, `[1, 2, 3]` or `[\"0.5 mm\", \"1 mm\"]`, or a range."},
+               .doc = R"(A list, `[1, 2, 3]` or `["0.5 mm", "1 mm"]`, or a range.)"},
           },
   };
 }

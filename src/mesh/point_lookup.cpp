@@ -32,11 +32,14 @@ std::optional<int> PointLookup::find(const Vector3& place) const {
   double distance = tolerance_;
   for (long i = low[0]; i <= high[0]; ++i)
     for (long j = low[1]; j <= high[1]; ++j)
-      for (long k = low[2]; k <= high[2]; ++k)
-        for (const auto& entry : std::ranges::equal_range(entries_, std::array{i, j, k}, {}, &Entry::box)) {
-          const double d = (points_[static_cast<std::size_t>(entry.point)] - place).norm();
-          if (d <= distance) nearest = entry.point, distance = d;
+      for (long k = low[2]; k <= high[2]; ++k) {
+        const std::array box{i, j, k};
+        for (auto entry = std::ranges::lower_bound(entries_, box, {}, &Entry::box);
+             entry != entries_.end() && entry->box == box; ++entry) {
+          const double d = (points_[static_cast<std::size_t>(entry->point)] - place).norm();
+          if (d <= distance) nearest = entry->point, distance = d;
         }
+      }
   return nearest;
 }
 

@@ -20,7 +20,7 @@ std::vector<Vector3> centred(const QuadMesh& mesh) {
   const Vector3 centre = centre_of_nodes(mesh);
   std::vector<Vector3> places;
   places.reserve(mesh.reference.size());
-  for (const auto& x : mesh.reference) places.push_back(x - centre);
+  for (const auto& x : mesh.reference) places.emplace_back(x - centre);
   return places;
 }
 
@@ -119,7 +119,7 @@ std::vector<MeshSymmetry> mesh_symmetries(const QuadMesh& mesh, double tolerance
   std::vector<MeshSymmetry> found;
   for (const int to_a : anchors.images_of_a)
     for (const int to_b : anchors.images_of_b) {
-      const Vector3 a = places[static_cast<std::size_t>(to_a)], b = places[static_cast<std::size_t>(to_b)];
+      const Vector3 &a = places[static_cast<std::size_t>(to_a)], &b = places[static_cast<std::size_t>(to_b)];
       if (std::abs((b - a).norm() - between) > 4 * slack) continue;
       for (const double side : {1.0, -1.0}) {
         const Matrix3 rotation = frame(a, b, side) * from.transpose();

@@ -21,7 +21,7 @@ const std::string floor = "[[obstacle]]\nkind = \"plane\"\n";
 std::string pin(const std::string& near, const std::string& components) {
   return "[[fix]]\nname = \"" + near + "\"\nnodes = { near = " + near + " }\ncomponents = " + components + "\n";
 }
-const std::string centre_pin = pin("[0, 0, 0]", "[\"x\", \"y\"]");
+const std::string centre_pin = pin("[0, 0, 0]", R"(["x", "y"])");
 
 CaseSymmetries of(const std::string& sheet, const std::string& more, const std::string& model = "particle") {
   return find_case_symmetries(samples::model_of("model = \"" + model + "\"\n" + samples::sheet_case(more, sheet)));
@@ -40,13 +40,13 @@ TEST(CaseSymmetries, AreThoseOfTheSheetThatItsTableHasToo) {
 }
 
 TEST(CaseSymmetries, AreThoseThatSupportsLeave) {
-  const std::string all = "[\"x\", \"y\", \"z\"]";
+  const std::string all = R"(["x", "y", "z"])";
   for (const std::string model : {"particle", "shell"}) {
     EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", all), model).maps.size(), 2U) << model;  // the diagonal
     EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", all) + pin("[-0.04, -0.04, 0]", all), model).maps.size(), 4U) << model;
     EXPECT_EQ(of(square, "[[fix]]\nnodes = \"left\"\n", model).maps.size(), 2U) << model;
     // held in x alone, which the diagonal would turn into y
-    EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", "[\"x\", \"z\"]") + centre_pin, model).maps.size(), 1U) << model;
+    EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", R"(["x", "z"])") + centre_pin, model).maps.size(), 1U) << model;
   }
 }
 
@@ -66,13 +66,13 @@ TEST(CaseSymmetries, AreThoseOfTheFabric) {
       "\n[material]\nthickness = \"0.5 mm\"\ndensity_area = 0.2\nwarp_modulus = \"2 MPa\"\nweft_modulus = \"1 MPa\"\n"
       "shear_modulus = \"0.3 MPa\"\npoisson = 0\n[[load]]\nkind = \"gravity\"\n" +
       centre_pin;
-  for (const std::string model : {"particle", "shell"})
-    EXPECT_EQ(find_case_symmetries(samples::model_of("model = \"" + model + "\"\n" + woven)).maps.size(), 4U) << model;
+  for (const std::string model : {"model = \"particle\"\n", "model = \"shell\"\n"})
+    EXPECT_EQ(find_case_symmetries(samples::model_of(model + woven)).maps.size(), 4U) << model;
 }
 
 TEST(CaseSymmetries, GoWithThePlaceOfTheSheet) {
   const auto found = of(square + "\nplace = { translate = [1, 2, 0], rotate = { axis = [0, 0, 1], angle = 0.4 } }",
-                        pin("[1, 2, 0]", "[\"x\", \"y\"]") +
+                        pin("[1, 2, 0]", R"(["x", "y"])") +
                             "[[obstacle]]\nkind = \"box\"\nsize = [0.04, 0.04, 0.02]\n"
                             "place = { translate = [1, 2, -0.01], rotate = { axis = [0, 0, 1], angle = 0.4 } }\n");
   EXPECT_EQ(found.maps.size(), 8U);
