@@ -1,4 +1,7 @@
-"""The command line: picture, filmstrip and strip of one result, drapes and crosscheck of a folder of them. Heavy imports wait until arguments and file are known good."""
+"""The command line: picture, filmstrip and strip of one result, drapes and crosscheck of a folder of them.
+
+Heavy imports wait until arguments and file are known good.
+"""
 
 from __future__ import annotations
 
@@ -50,12 +53,12 @@ def _parser() -> argparse.ArgumentParser:
         else:
             count = 5 if name == "filmstrip" else 9
             command.add_argument("--count", type=_count, default=count, metavar="N", help=f"frames (default {count})")
-    for name, size, what in (
-        ("drapes", (1500, 900), "every drape that a study found"),
-        ("crosscheck", (1400, 640), "where the methods of a crosscheck ended, and how far apart"),
+    for name, size, verb, what in (
+        ("drapes", (1500, 900), "study", "every drape that a study found"),
+        ("crosscheck", (1400, 640), "crosscheck", "where the methods of a crosscheck ended, and how far apart"),
     ):
         command = commands.add_parser(name, help=what, description=f"Draw {what}.")
-        command.add_argument("folder", type=Path, metavar="FOLDER", help=f"what sundrape {'study' if name == 'drapes' else name} wrote")
+        command.add_argument("folder", type=Path, metavar="FOLDER", help=f"what sundrape {verb} wrote")
         command.add_argument("-o", "--output", type=Path, required=True, metavar="PICTURE.png")
         command.add_argument("--size", type=_size, default=size, metavar="WxH", help="in pixels (default %dx%d)" % size)
     return parser

@@ -76,6 +76,8 @@ class Work {
   bool run_methods() {
     std::vector<BatchRun> runs;
     for (const auto& method : crosscheck_methods(case_, model_)) {
+      const auto& wanted = options_.methods;
+      if (!wanted.empty() && std::ranges::find(wanted, method.name) == wanted.end()) continue;
       if (method.available)
         runs.push_back({method.name, common_settings(case_) + method.sets + options_.sets});
       else

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sundrape/app/crosscheck.hpp"
 #include "sundrape/io/key_table.hpp"
 
 namespace sundrape {
@@ -27,12 +28,17 @@ bool exists(const std::string& analysis) {
 
 }  // namespace
 
+std::vector<std::string> crosscheck_method_names() { return {"relaxation", "arc-length", "dynamics"}; }
+
 std::vector<Method> crosscheck_methods(const Case& c, const CaseModel& model) {
-  std::vector<Method> methods{
-      {.name = "relaxation"}, {.name = "arc-length"}, {.name = "dynamics", .sets = damped_motion(c, model)}};
-  for (auto& method : methods) {
-    method.available = exists(method.name);
-    method.sets.push_back("analysis=" + method.name);
+  std::vector<Method> methods;
+  for (const auto& name : crosscheck_method_names()) {
+    Method method{.name = name, .available = exists(name), .sets = {"analysis=" + name}};
+    if (name == "dynamics") {
+      const auto motion = damped_motion(c, model);
+      method.sets.insert(method.sets.end(), motion.begin(), motion.end());
+    }
+    methods.push_back(std::move(method));
   }
   return methods;
 }

@@ -124,6 +124,10 @@ class CommandLine {
                      "folder of the results; finished ones in it are used again; default: the case's name and "
                      "-crosscheck");
     verb->add_option("--set", crosscheck_.sets, set_help)->allow_extra_args(false);
+    verb->add_option("--methods", crosscheck_.methods, "some of them, with commas; default: all")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember(sundrape::crosscheck_method_names()));
     verb->add_option("--jobs", crosscheck_.jobs, "runs at a time; default: one a processor")
         ->check(CLI::Range(1, 1024));
     verb->add_flag("--quiet", quiet_, "print nothing but errors");

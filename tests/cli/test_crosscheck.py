@@ -42,7 +42,8 @@ def arch(height, cells=16):
 
 class Crosscheck(CommandLineTest):
     def crosscheck(self, case, *more):
-        return self.sundrape("crosscheck", self.write("case.toml", case), "-o", "out", "--jobs", 2, *more)
+        return self.sundrape("crosscheck", self.write("case.toml", case), "-o", "out", "--jobs", 2,
+                             "--methods", "relaxation,dynamics", *more)
 
     def report(self):
         return json.loads((self.folder / "out/crosscheck.json").read_text())
@@ -85,13 +86,25 @@ class Crosscheck(CommandLineTest):
         self.assertLess(pair["relaxed"]["moved_rms_m"], 1e-3 * pair["rms_m"])
         self.assertEqual(pair["relaxed"]["negative_pivots"], 0)
         again = self.crosscheck(ARCH)
-        self.assertIn("2 of 2 results are there already" if "without arc-length" in again.stdout else "3 of 3", again.stdout)
+        self.assertIn("2 of 2 results are there already", again.stdout)
+        self.assertIn("1 of 1 results are there already", again.stdout)  # the relaxation of the end
 
     def test_what_failed_is_said_and_the_rest_is_compared(self):
         done = self.crosscheck(HANGING, "--set", "dynamics.time_limit=1e-3")
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertRegex(done.stdout, "dynamics +failed: .*time limit")
         self.assertEqual([m["status"] for m in self.report()["methods"] if m["name"] != "arch-length"][-1], "failed")
+
+    def test_every_method_is_run_that_there_is(self):
+        done = self.sundrape("crosscheck", self.write("case.toml", HANGING), "-o", "out", "--jobs", 2)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        names = {m["name"] for m in self.report()["methods"]} | set(self.report()["left_out"])
+        self.assertEqual(names, {"relaxation", "arc-length", "dynamics"})
+
+    def test_methods_that_are_not(self):
+        done = self.crosscheck(HANGING, "--methods", "relaxing")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("relaxing", done.stderr)
 
     def test_a_bad_case(self):
         done = self.crosscheck(HANGING.replace("poisson", "poison"))

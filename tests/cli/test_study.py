@@ -75,7 +75,8 @@ class Drapes(Study):
                          [(f"seed={k}", str(k), "done", "1") for k in (1, 2, 3)])
         for row in rows:
             with h5py.File(self.folder / f"out/runs/{row['run']}.h5") as result:
-                stored = sum(result[f"frames/energy/{kind}"][-1] for kind in ("membrane", "shear", "bending", "gravity", "contact"))
+                kinds = ("membrane", "shear", "bending", "gravity", "contact")
+                stored = sum(result[f"frames/energy/{kind}"][-1] for kind in kinds)
                 tip = result["frames/position"][-1][result["probes/tip"].attrs["node"]]
                 self.assertAlmostEqual(float(row["total_energy_J"]), stored, delta=1e-9 * abs(stored))
                 np.testing.assert_allclose([float(row[f"tip.{k}_m"]) for k in "xyz"], tip, rtol=1e-8, atol=1e-12)
@@ -199,7 +200,8 @@ class Refusals(Study):
                      r"^study.toml:5: axis.0.values: cloth.waviness.seed = -2: -2 is outside \[0, ")
 
     def test_a_key_that_the_case_does_not_have(self):
-        self.refused(STUDY.replace("waviness.seed", "waviness.sede"), 2, "^study.toml:5: axis.0.values: .*unknown key, did you mean 'seed'")
+        self.refused(STUDY.replace("waviness.seed", "waviness.sede"), 2,
+                     "^study.toml:5: axis.0.values: .*unknown key, did you mean 'seed'")
 
     def test_a_bad_case(self):
         self.write("strip.toml", STRIP.replace("poisson = 0.3", "poisson = 3"))

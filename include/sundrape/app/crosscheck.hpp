@@ -16,6 +16,7 @@ namespace sundrape {
 struct CrosscheckOptions {
   std::filesystem::path case_file;
   std::vector<std::string> sets;
+  std::vector<std::string> methods;             // names out of crosscheck_method_names(); empty: all
   std::optional<std::filesystem::path> folder;  // default: the case's name and "-crosscheck", in the current folder
   int jobs = 0;                                 // processes at a time; 0: one a processor
   Verbosity verbosity = Verbosity::normal;
@@ -60,6 +61,9 @@ struct Crosscheck {
   std::vector<std::string> left_out;  // methods that this version does not have
   std::vector<MethodPair> pairs;
 };
+
+/// relaxation, arc-length, dynamics.
+[[nodiscard]] std::vector<std::string> crosscheck_method_names();
 
 /// Runs a case by relaxation, by arc-length and as damped motion until it rests, compares where they end, prints it and
 /// writes FOLDER/crosscheck.txt and crosscheck.json; results are FOLDER/<method>.h5.
