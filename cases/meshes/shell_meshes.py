@@ -10,6 +10,9 @@ on the positive x axis. Its two edges are opened by 1e-6 rad to either side, so 
 Hemisphere with an 18 degree hole: radius 10, the quarter x, y >= 0 between the equator z = 0 and the hole, `n` x `n` elements
 that are equal in longitude and latitude.
 
+Arch: a circular strip of radius 0.5 m and 10 mm width over half an angle of 0.1177 rad to either side, its ends on z = 0, `n` x 1
+elements. A deep one has twice the angle.
+
 Distorted ones: every interior node is moved in the surface, by a random part of up to 25 % of an element along either direction.
 
 vt are the lengths along the mesh lines of the undistorted surface: the warp follows the first direction.
@@ -38,6 +41,16 @@ def hemisphere(a, b):
     return on_plane, (10 * longitude, 10 * latitude)
 
 
+def arch(half_angle):
+    def surface(a, b):
+        """From end to end for a in [0, 1], across for b in [0, 1]."""
+        angle = half_angle * (2 * a - 1)
+        on_axis = 0.0 if abs(angle) < 1e-12 else 0.5 * math.sin(angle)
+        rise = 0.5 * (math.cos(angle) - math.cos(half_angle))
+        return (on_axis, 0.01 * (b - 0.5), 0.0 if abs(rise) < 1e-12 else rise), (0.5 * angle, 0.01 * (b - 0.5))
+    return surface
+
+
 def write(folder, name, surface, n, m, distorted=False):
     random_part = random.Random(SEED)
     lines = [f"# written by shell_meshes.py: {n} x {m} elements"
@@ -57,6 +70,8 @@ def write(folder, name, surface, n, m, distorted=False):
 
 
 def write_all(folder):
+    write(folder, "arch_40x1", arch(0.1177), 40, 1)
+    write(folder, "deep_arch_40x1", arch(2 * 0.1177), 40, 1)
     for radial, around in [(10, 80), (6, 48), (5, 40)]:
         write(folder, f"slit_annulus_{radial}x{around}", slit_annulus, radial, around)
     write(folder, "slit_annulus_10x80_distorted", slit_annulus, 10, 80, distorted=True)

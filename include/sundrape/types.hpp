@@ -14,9 +14,10 @@ using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 /// Shapes: q and v hold one 3-vector a point, 3P in all; point i owns entries 3i, 3i+1, 3i+2.
 /// The points of a particle net are its nodes; a shell has its nodes, then a director of length ℓ for each.
 struct State {
-  double time;       // [s]
+  double time;       // [s]; in staged statics the load factor of the stage
   ConstVectorRef q;  // coordinates [m]
   ConstVectorRef v;  // their rates [m/s]
+  int stage = 0;     // of staged statics, from 1 on; 0: loads go by time
 };
 
 /// The 3-vector that belongs to point i, as something to read or to write.

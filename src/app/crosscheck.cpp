@@ -29,7 +29,7 @@ Settings operator+(Settings a, const Settings& b) {
 class Work {
  public:
   explicit Work(const CrosscheckOptions& options)
-      : options_(options), case_(read_case(options.case_file, options.sets)), model_(static_model()) {
+      : options_(options), case_(read_case(options.case_file, options.sets)), model_(perfect_model(case_)) {
     batch_ = {.case_file = options.case_file,
               .folder = options.folder.value_or(options.case_file.stem().string() + "-crosscheck"),
               .jobs = options.jobs,
@@ -56,13 +56,6 @@ class Work {
   }
 
  private:
-  /// What ends are weighed by: the case as statics sees it.
-  [[nodiscard]] CaseModel static_model() const {
-    Case c = case_;
-    c.analysis = Analysis::relaxation;
-    return build_model(c);
-  }
-
   [[nodiscard]] ExitStatus interrupted() const {
     fmt::print(stderr, "{}: interrupted: the same command goes on\n", options_.case_file.string());
     return ExitStatus::interrupted;
@@ -89,7 +82,7 @@ class Work {
       MethodEnd method{runs[i].name, outcomes[i].result, outcomes[i].message, {}, {}};
       if (outcomes[i].status == BatchStatus::done) {
         const ResultReader result(outcomes[i].result);
-        method.end = end_state(model_, result);
+        method.end = end_state(weighing_model(read_case(options_.case_file, runs[i].sets)), result);
         method.warnings = result.warnings();
         const double last = result.frame_values().back();
         if (result.frame_variable() == FrameVariable::load_factor && std::abs(last - 1) > 1e-6)
@@ -140,7 +133,8 @@ class Work {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       MethodPair::Relaxed relaxed{.result = outcomes[i].result, .failure = outcomes[i].message, .end = {}};
       if (outcomes[i].status == BatchStatus::done) {
-        relaxed.end = end_state(model_, ResultReader(outcomes[i].result));
+        relaxed.end =
+            end_state(weighing_model(read_case(options_.case_file, runs[i].sets)), ResultReader(outcomes[i].result));
         const auto& start = check_.methods[pairs[i]->second].end->q;
         const auto moved = shape_distance({{symmetries_.maps.front()}, symmetries_.neutral}, model_.mesh.nodes(), start,
                                           relaxed.end->q);

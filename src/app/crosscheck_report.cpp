@@ -31,9 +31,9 @@ void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& tex
   fmt::format_to(out, "\n{} and {} are on {}.\n", a.name, b.name, verdict(pair));
   fmt::format_to(out, "  RMS distance  {}\n  max distance  {}\n", distance(check, pair.apart.rms),
                  distance(check, pair.apart.max));
-  const double gap = pair.laid_on.total_energy - a.end->total_energy;
+  const double gap = b.end->total_energy - a.end->total_energy;
   fmt::format_to(out, "  total energy  {} {:.6e} J, {} {:.6e} J: {:+.3g} %\n", a.name, a.end->total_energy, b.name,
-                 pair.laid_on.total_energy, 100 * gap / std::abs(a.end->total_energy));
+                 b.end->total_energy, 100 * gap / std::abs(a.end->total_energy));
   for (const auto& [name, force] : a.end->reactions) {
     const Vector3& other = pair.laid_on.reactions.at(name);
     fmt::format_to(out, "  reaction of '{}'  ({:.4e} {:.4e} {:.4e}) N against ({:.4e} {:.4e} {:.4e}) N\n", name,

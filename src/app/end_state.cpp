@@ -20,6 +20,18 @@ nlohmann::json as_json(const std::map<std::string, Vector3>& vectors) {
 
 }  // namespace
 
+CaseModel weighing_model(Case c) {
+  c.cloth.waviness_at_rest = is_wavy_at_rest(c);  // by default a matter of the analysis
+  c.analysis = Analysis::relaxation;
+  return build_model(c);
+}
+
+CaseModel perfect_model(Case c) {
+  c.cloth.waviness_amplitude = 0;
+  c.cloth.waviness_given = true;
+  return weighing_model(std::move(c));
+}
+
 EndState weigh(const CaseModel& model, Vector q) {
   EndState state;
   state.q = std::move(q);

@@ -19,7 +19,7 @@ std::vector<Vector3> points_of(const Vector& flat) {
 
 ShapeAtRest last_shape(const ResultReader& result, const QuadMesh& mesh) {
   const auto& name = result.file().name();
-  if (const auto difference = mesh_difference(mesh, result.mesh()); !difference.empty())
+  if (const auto difference = mesh_difference(mesh, result.mesh(), but_for_waviness); !difference.empty())
     throw FileError(fmt::format("{}: belongs to another mesh: {}", name, difference));
   if (result.frames() == 0) throw FileError(fmt::format("{}: holds no frame", name));
   const auto last = result.frames() - 1;

@@ -74,6 +74,21 @@ std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std:
   return nodes;
 }
 
+/// Holds the nodes that motions carry, and says along which paths.
+std::vector<PrescribedMotion> carry(const Case& c, CaseModel& model, const std::vector<Vector3>& placed,
+                                    Supports& supports) {
+  std::vector<PrescribedMotion> motions;
+  for (const auto& motion : c.motions) {
+    auto nodes = pick(motion.nodes, model.mesh, placed, motion.source);
+    for (const int node : nodes)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (motion.components[k]) supports.position[static_cast<std::size_t>(node)][k] = true;
+    motions.push_back({nodes, motion.components, motion.path, LoadCourse{0, motion.stages}});
+    model.reactions.push_back({motion.name, std::move(nodes)});
+  }
+  return motions;
+}
+
 Supports support(const Case& c, CaseModel& model, const std::vector<Vector3>& placed) {
   const auto n = placed.size();
   Supports s{std::vector<Unknowns::Held>(n, Unknowns::Held{}), std::vector<Unknowns::Held>(n, Unknowns::Held{}),
@@ -115,18 +130,19 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
   const int points = sheet.points();
   Vector3 gravity = Vector3::Zero();
   for (const auto& load : c.loads) {
-    const Ramp ramp{c.analysis == Analysis::dynamics ? load.ramp
-                                                     : 0};  // statics knows no time: loads have their full size
+    // statics knows no time: loads have their full size, or go by stages
+    const LoadCourse course{c.analysis == Analysis::dynamics ? load.ramp : 0, load.stages};
     std::visit(
         Overload{[&](const GravityLoad& g) {
                    gravity += g.acceleration;
-                   terms.push_back(std::make_unique<DeadLoad>(
-                       "gravity", EnergyKind::gravity, node_weights(sheet, model.mesh.nodes(), g.acceleration), ramp));
+                   terms.push_back(std::make_unique<DeadLoad>("gravity", EnergyKind::gravity,
+                                                              node_weights(sheet, model.mesh.nodes(), g.acceleration),
+                                                              course));
                  },
                  [&](const ForceLoad& f) {
                    const auto nodes = pick(f.nodes, model.mesh, placed, load.source);
                    terms.push_back(std::make_unique<DeadLoad>("force", EnergyKind::load,
-                                                              equal_shares(nodes, f.total, points), ramp));
+                                                              equal_shares(nodes, f.total, points), course));
                  },
                  [&](const TractionLoad& t) {
                    const auto nodes = pick(t.nodes, model.mesh, placed, load.source);
@@ -137,18 +153,18 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
                      throw CaseError(load.source,
                                      "a traction needs nodes along an edge of the cloth; no boundary edge has both its "
                                      "ends among these");
-                   terms.push_back(std::make_unique<DeadLoad>("traction", EnergyKind::load, std::move(forces), ramp));
+                   terms.push_back(std::make_unique<DeadLoad>("traction", EnergyKind::load, std::move(forces), course));
                  },
                  [&](const MomentLoad& m) {
                    const auto nodes = pick(m.nodes, model.mesh, placed, load.source);
                    try {
-                     terms.push_back(moment_load(sheet, model.mesh, threads, nodes, m.total, ramp));
+                     terms.push_back(moment_load(sheet, model.mesh, threads, nodes, m.total, course));
                    } catch (const std::invalid_argument& problem) {
                      throw CaseError(load.source, problem.what());
                    }
                  },
                  [&](const PressureLoad& p) {
-                   terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, ramp));
+                   terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, course));
                  }},
         load.load);
   }
@@ -187,6 +203,7 @@ double longest_side(const std::vector<Vector3>& positions) {
 
 /// Only relaxation from the rest shape has some where the case does not say.
 double waviness(const Case& c) {
+  if (is_wavy_at_rest(c)) return 0;
   const bool said = c.cloth.waviness_given.value_or(false) || c.cloth.waviness_amplitude > 0;
   if (said || c.cloth.start || c.analysis != Analysis::relaxation) return c.cloth.waviness_amplitude;
   return default_waviness(c);
@@ -214,6 +231,11 @@ ShapeAtRest start_of(const StartCase& start, const QuadMesh& mesh) {
   }
 }
 
+/// How much of the weight acts first: an equilibrium path begins under its first increment.
+double first_share(const Case& c) {
+  return c.analysis == Analysis::arc_length ? c.arc_length.first_increment.front() : 1;
+}
+
 Sheet make_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, const std::vector<Vector3>& placed,
                  const Supports& supports) {
   if (c.model == Model::particle) return net_sheet(c, mesh, threads, placed, supports);
@@ -235,16 +257,21 @@ Vector CaseModel::directors_of(const ConstVectorRef& all) const {
   return all.tail(3 * static_cast<Eigen::Index>(mesh.nodes())) / director_length;
 }
 
+bool is_wavy_at_rest(const Case& c) { return c.cloth.waviness_at_rest.value_or(c.analysis == Analysis::arc_length); }
+
 double default_waviness(const Case& c) { return std::min(1e-5, 0.02 * c.fabric.thickness); }
 
 CaseModel build_model(const Case& c) {
   CaseModel model;
   model.mesh = build_mesh(c.cloth);
+  if (is_wavy_at_rest(c))
+    model.mesh.reference = wavy(model.mesh, model.mesh.reference, c.cloth.waviness_amplitude, c.cloth.waviness_seed);
   model.size = longest_side(model.mesh.reference);
   model.placement = placement(c.cloth.place);
   const auto placed = place(model.mesh.reference, model.placement);
   const auto threads = find_threads(model.mesh);
-  const auto supports = support(c, model, placed);
+  auto supports = support(c, model, placed);
+  auto motions = carry(c, model, placed, supports);
   for (const auto& probe : c.output.probes)
     model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
 
@@ -267,7 +294,7 @@ CaseModel build_model(const Case& c) {
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
   if (model.contact != nullptr && !c.cloth.start)
-    lay_on_obstacles(*model.contact, c.fabric.area_density * model.gravity, supports, start);
+    lay_on_obstacles(*model.contact, first_share(c) * c.fabric.area_density * model.gravity, supports, start);
   auto points = start;
   if (model.has_directors()) {
     const auto carried = earlier.directors.empty()
@@ -286,15 +313,16 @@ CaseModel build_model(const Case& c) {
   model.initial = flatten(points);
   Unknowns unknowns(sheet.held, sheet.order);
   if (unknowns.rows() == 0)
-    throw CaseError(c.fixes.front().source, "every node of the cloth is held: nothing is left to move");
+    throw CaseError(c.fixes.empty() ? c.motions.front().source : c.fixes.front().source,
+                    "every node of the cloth is held: nothing is left to move");
   if (model.has_directors()) {
     model.rate_slack = Vector::Ones(unknowns.rows());
     for (int r = 0; r < unknowns.rows(); ++r)
       if (unknowns.point_of_row()[static_cast<std::size_t>(r)] >= model.mesh.nodes())
         model.rate_slack[r] = director_rate_slack;
   }
-  model.system =
-      std::make_unique<System>(std::move(sheet.mass), std::move(sheet.terms), std::move(unknowns), model.initial);
+  model.system = std::make_unique<System>(std::move(sheet.mass), std::move(sheet.terms), std::move(unknowns),
+                                          model.initial, std::move(motions));
   return model;
 }
 

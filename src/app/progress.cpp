@@ -51,6 +51,10 @@ void Progress::say(const std::string& line) {
   std::fflush(stdout);
 }
 
+void Progress::detail(const std::string& line) {
+  if (verbosity_ == Verbosity::verbose) say(line);
+}
+
 void Progress::clear_line() {
   if (line_open_) fmt::print("\r\033[K");
   line_open_ = false;

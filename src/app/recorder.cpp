@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,7 +25,8 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
   h.model = c.model == Model::shell ? "shell" : "particle";
   h.director = model.has_directors();
   h.element_fields = model.gauges && c.output.resultants;
-  h.analysis = c.analysis == Analysis::dynamics ? "dynamics" : "relaxation";
+  h.analysis = to_string(c.analysis);
+  h.frame_variable = c.analysis == Analysis::arc_length ? FrameVariable::load_factor : FrameVariable::time;
   h.case_text = c.text;
   h.version = version();
   h.mesh = model.mesh;
@@ -137,7 +139,9 @@ Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, st
       xdmf_(files.output, header_) {
   if (files.resume) {
     const ResultReader earlier(files.output);
-    xdmf_.set_frames(earlier.frame_values());
+    auto values = earlier.frame_values();
+    if (header_.frame_variable == FrameVariable::load_factor) std::iota(values.begin(), values.end(), 0.0);
+    xdmf_.set_frames(std::move(values));
     last_ = last_frame(earlier, model);
     warnings_ = earlier.warnings();
     extremes_ = restart_->extremes;
@@ -145,9 +149,11 @@ Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, st
   }
 }
 
-void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots) {
+void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots,
+                     std::optional<double> residual) {
   Frame f;
   f.variable = all.time;
+  f.stage = all.stage;
   f.position = model_.of_nodes(all.q);
   f.velocity = model_.of_nodes(all.v);
   f.director = model_.directors_of(all.q);
@@ -161,8 +167,9 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
                 .dissipated = balance.dissipated,
                 .external_work = balance.external_work,
                 .method_dissipated = balance.method_dissipated};
-  f.residual =
-      relative_residual(*model_.system, all, case_.fabric.area_density * model_.gravity * model_.size * model_.size);
+  f.residual = residual ? *residual
+                        : relative_residual(*model_.system, all,
+                                            case_.fabric.area_density * model_.gravity * model_.size * model_.size);
   f.negative_pivots = negative_pivots.value_or(-1);
   if (model_.contact) {
     const Vector still = Vector::Zero(all.v.size());
@@ -191,7 +198,9 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
   for (const auto* bends : model_.bends)
     extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, bends->largest_angle(all.q));
   writer_.append_frame(f);
-  xdmf_.add_frame(f.variable);
+  // load factors may fall, and begin anew with every stage: viewers get the number of the frame
+  xdmf_.add_frame(header_.frame_variable == FrameVariable::time ? f.variable
+                                                                : static_cast<double>(writer_.frames() - 1));
   last_ = std::move(f);
 }
 
@@ -199,7 +208,7 @@ ContactReport Recorder::step(const State& all) {
   if (!model_.probes.empty()) writer_.append_probes(all.time, all.q, all.v);
   if (!model_.contact) return {};
   auto report = model_.contact->report(all);
-  if (case_.analysis == Analysis::dynamics)
+  if (case_.analysis != Analysis::relaxation)
     extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
   return report;
 }

@@ -86,6 +86,11 @@ std::string report(const nlohmann::json& s, const std::filesystem::path& output)
                         s.at("steps").get<long>(), s.at("newton_iterations").get<long>(),
                         s.at("error_test_failures").get<long>() + s.at("step_solve_failures").get<long>(),
                         final.at("energy_J").at("method_dissipated").get<double>());
+  if (s.contains("path_steps"))
+    text += fmt::format("; {} steps, {} Newton iterations, {} critical points, residual {:.2e}, {} negative pivots",
+                        s.at("path_steps").get<long>(), s.at("newton_iterations").get<long>(),
+                        s.at("critical_points").get<long>(), final.at("residual").get<double>(),
+                        final.at("negative_pivots").get<int>());
   if (s.contains("iterations"))
     text += fmt::format("; {} iterations, residual {:.2e}, {} negative pivots", s.at("iterations").get<long>(),
                         final.at("residual").get<double>(), final.at("negative_pivots").get<int>());
@@ -94,6 +99,23 @@ std::string report(const nlohmann::json& s, const std::filesystem::path& output)
                   100 * s.at("largest_edge_strain").get<double>(), 1e3 * s.at("deepest_penetration_m").get<double>());
   for (const auto& warning : s.at("warnings")) text += "\n  warning: " + warning.get<std::string>();
   return text;
+}
+
+std::vector<StepColumn> step_columns(Analysis analysis) {
+  if (analysis == Analysis::dynamics) return dynamics_step_columns();
+  return analysis == Analysis::relaxation ? relaxation_step_columns() : path_step_columns();
+}
+
+AnalysisEnd run_analysis(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress) {
+  switch (c.analysis) {
+    case Analysis::dynamics:
+      return run_dynamics(c, model, recorder, progress);
+    case Analysis::relaxation:
+      return run_relaxation(c, model, recorder, progress);
+    case Analysis::arc_length:
+      break;
+  }
+  return run_arc_length(c, model, recorder, progress);
 }
 
 }  // namespace
@@ -107,17 +129,16 @@ ExitStatus run_case(const RunOptions& options) {
   const CaseModel model = build_model(c);
 
   const InterruptGuard guard;
-  const bool dynamics = c.analysis == Analysis::dynamics;
-  Recorder recorder(c, model, {output, options.resume}, dynamics ? dynamics_step_columns() : relaxation_step_columns(),
-                    dynamics ? c.output.frame_times.size() : 32, clock);
+  Recorder recorder(c, model, {output, options.resume}, step_columns(c.analysis),
+                    c.analysis == Analysis::dynamics ? c.output.frame_times.size() : 32, clock);
   AnalysisEnd end;
   nlohmann::json summary;
   {
     Progress progress(options.verbosity);
     progress.say(fmt::format("{}: {} nodes, {} unknowns, {}", c.title, model.mesh.nodes(),
-                             model.system->unknowns().size(), dynamics ? "dynamics" : "relaxation"));
+                             model.system->unknowns().size(), to_string(c.analysis)));
     try {
-      end = dynamics ? run_dynamics(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
+      end = run_analysis(c, model, recorder, progress);
     } catch (const FileError&) {  // the result itself cannot be written
       throw;
     } catch (const std::system_error&) {

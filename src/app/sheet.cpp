@@ -102,9 +102,9 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
 }
 
 std::unique_ptr<ForceTerm> moment_load(const Sheet& sheet, const QuadMesh& mesh, const Threads& threads,
-                                       const std::vector<int>& nodes, const Vector3& total, Ramp ramp) {
+                                       const std::vector<int>& nodes, const Vector3& total, LoadCourse course) {
   if (sheet.director_length == 0)
-    return std::make_unique<EdgeMoment>(moment_on_edge(mesh, threads, nodes, total), ramp);
+    return std::make_unique<EdgeMoment>(moment_on_edge(mesh, threads, nodes, total), std::move(course));
   const auto lengths = tributary_edge_lengths(mesh, nodes);
   const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   std::vector<LoadedDirector> loaded;
@@ -113,7 +113,7 @@ std::unique_ptr<ForceTerm> moment_load(const Sheet& sheet, const QuadMesh& mesh,
         whole > 0 ? lengths[static_cast<std::size_t>(i)] / whole : 1 / static_cast<double>(nodes.size());
     if (share > 0) loaded.push_back({mesh.nodes() + i, share * total});
   }
-  return std::make_unique<DirectorMoment>(std::move(loaded), ramp);
+  return std::make_unique<DirectorMoment>(std::move(loaded), std::move(course));
 }
 
 }  // namespace sundrape

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
-#include "sundrape/force/ramp.hpp"
+#include "sundrape/force/load_course.hpp"
 #include "sundrape/force/shell_gauges.hpp"
 #include "sundrape/io/case.hpp"
 #include "sundrape/mesh/quad_mesh.hpp"
@@ -42,6 +42,7 @@ struct Sheet {
 /// where there is none.
 /// @throws std::invalid_argument  of a particle net: no boundary edge between the nodes, or no thread that ends there
 [[nodiscard]] std::unique_ptr<ForceTerm> moment_load(const Sheet& sheet, const QuadMesh& mesh, const Threads& threads,
-                                                     const std::vector<int>& nodes, const Vector3& total, Ramp ramp);
+                                                     const std::vector<int>& nodes, const Vector3& total,
+                                                     LoadCourse course);
 
 }  // namespace sundrape

@@ -18,12 +18,6 @@ namespace {
 constexpr std::size_t trial_ends = 4;      // end states that the symmetries of a group are tried at
 constexpr std::size_t longest_name = 120;  // file systems take 255
 
-CaseModel static_model(const Study& study, std::size_t run) {
-  Case c = read_case(study.case_file, study.settings(run));
-  c.analysis = Analysis::relaxation;  // loads in full, whatever their ramp
-  return build_model(c);
-}
-
 Eigen::MatrixXd distances(const CaseSymmetries& symmetries, int nodes, const std::vector<const EndState*>& ends) {
   const auto n = static_cast<Eigen::Index>(ends.size());
   Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(n, n);
@@ -104,11 +98,13 @@ StudyOutcome study_outcome(const Study& study, std::vector<std::string> names, s
   for (auto& [values, group] : groups) {
     std::optional<CaseModel> first;
     for (const auto run : group.runs) {
-      auto model = static_model(study, run);
+      const Case c = read_case(study.case_file, study.settings(run));
+      const auto model = weighing_model(c);
       outcome.ends[run] = end_state(model, ResultReader(outcome.runs[run].result));
       if (!first) {
-        first = std::move(model);
-      } else if (const auto difference = mesh_difference(first->mesh, model.mesh); !difference.empty()) {
+        first = perfect_model(c);
+      } else if (const auto difference = mesh_difference(first->mesh, model.mesh, but_for_waviness);
+                 !difference.empty()) {
         throw CaseError(study.file.string(), 0, "branches.group_by",
                         fmt::format("{} and {} cannot be compared: {}; name the axis that makes the difference",
                                     outcome.names[group.runs.front()], outcome.names[run], difference));

@@ -2,12 +2,12 @@
 
 namespace sundrape {
 
-DeadLoad::DeadLoad(std::string name, EnergyKind kind, Vector forces, Ramp ramp)
-    : name_(std::move(name)), kind_(kind), forces_(std::move(forces)), ramp_(ramp) {}
+DeadLoad::DeadLoad(std::string name, EnergyKind kind, Vector forces, LoadCourse course)
+    : name_(std::move(name)), kind_(kind), forces_(std::move(forces)), course_(std::move(course)) {}
 
 double DeadLoad::external_power(const State& state) const {
-  const double share = ramp_.at(state.time);
-  return share == 1 ? 0.0 : (share - 1) * forces_.dot(state.v);
+  const double held_back = course_.share(state) - course_.share_of_potential(state);
+  return held_back == 0 ? 0.0 : held_back * forces_.dot(state.v);
 }
 
 Vector weight(const Vector& mass, const Vector3& acceleration) {

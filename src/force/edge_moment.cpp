@@ -11,16 +11,17 @@ Vector3 edge(const LoadedEdge& l, ConstVectorRef x) { return point(x, l.end) - p
 
 }  // namespace
 
-EdgeMoment::EdgeMoment(std::vector<LoadedEdge> edges, Ramp ramp) : edges_(std::move(edges)), ramp_(ramp) {}
+EdgeMoment::EdgeMoment(std::vector<LoadedEdge> edges, LoadCourse course)
+    : edges_(std::move(edges)), course_(std::move(course)) {}
 
 double EdgeMoment::external_power(const State& state) const {
   double power = 0;
   for (const auto& l : edges_) power += couple(l.moment, edge(l, state.q)).dot(edge(l, state.v));
-  return ramp_.at(state.time) * power;
+  return course_.share(state) * power;
 }
 
 void EdgeMoment::add_force(const State& state, VectorRef f) const {
-  const double share = ramp_.at(state.time);
+  const double share = course_.share(state);
   for (const auto& l : edges_) {
     const Vector3 force = share * couple(l.moment, edge(l, state.q));
     point(f, l.end) += force;
@@ -29,7 +30,7 @@ void EdgeMoment::add_force(const State& state, VectorRef f) const {
 }
 
 void EdgeMoment::add_tangent(const State& state, double dq, double /*dv*/, Assembler& tangent) const {
-  const double share = dq * ramp_.at(state.time);
+  const double share = dq * course_.share(state);
   for (std::size_t k = 0; k < edges_.size(); ++k) {
     Matrix3 by_edge = couple_by_arm(share * edges_[k].moment, edge(edges_[k], state.q));
     if (!tangent.keeps_unsymmetric()) by_edge = Matrix3(0.5 * (by_edge + by_edge.transpose()));

@@ -15,8 +15,8 @@ Diagonals diagonals(const std::array<int, 4>& n, ConstVectorRef x) {
 
 }  // namespace
 
-Pressure::Pressure(std::vector<std::array<int, 4>> faces, double pressure, Ramp ramp)
-    : faces_(std::move(faces)), pressure_(pressure), ramp_(ramp) {}
+Pressure::Pressure(std::vector<std::array<int, 4>> faces, double pressure, LoadCourse course)
+    : faces_(std::move(faces)), pressure_(pressure), course_(std::move(course)) {}
 
 double Pressure::external_power(const State& state) const {
   double power = 0;
@@ -26,11 +26,11 @@ double Pressure::external_power(const State& state) const {
     for (const int n : face) velocity += point(state.v, n);
     power += d.first.cross(d.second).dot(velocity) / 8;
   }
-  return ramp_.at(state.time) * pressure_ * power;
+  return course_.share(state) * pressure_ * power;
 }
 
 void Pressure::add_force(const State& state, VectorRef f) const {
-  const double share = ramp_.at(state.time) * pressure_ / 8;
+  const double share = course_.share(state) * pressure_ / 8;
   for (const auto& face : faces_) {
     const auto d = diagonals(face, state.q);
     const Vector3 force = share * d.first.cross(d.second);
@@ -39,7 +39,7 @@ void Pressure::add_force(const State& state, VectorRef f) const {
 }
 
 void Pressure::add_tangent(const State& state, double dq, double /*dv*/, Assembler& tangent) const {
-  const double share = dq * ramp_.at(state.time) * pressure_ / 8;
+  const double share = dq * course_.share(state) * pressure_ / 8;
   for (std::size_t e = 0; e < faces_.size(); ++e) {
     const auto d = diagonals(faces_[e], state.q);
     const Matrix3 by_first = -share * cross_matrix(d.second), by_second = share * cross_matrix(d.first);

@@ -25,6 +25,8 @@ std::vector<double> resolve_frame_times(const CaseSection& output, double durati
 
 }  // namespace
 
+std::string to_string(Analysis analysis) { return choices::analysis.name(analysis); }
+
 DynamicsCase resolve_dynamics(const CaseSection& section) {
   DynamicsCase dynamics;
   const std::string integrator = section.text("integrator");
@@ -57,6 +59,27 @@ RelaxationCase resolve_relaxation(const CaseSection& section) {
   relaxation.c_acc = section.maybe_number("c_acc");
   relaxation.time_limit = section.maybe_number("time_limit");
   return relaxation;
+}
+
+ArcLengthCase resolve_arc_length(const CaseSection& section) {
+  ArcLengthCase path;
+  path.tolerance = section.number("tolerance");
+  path.control = choices::path_control.value(section.text("control"));
+  path.target_iterations = section.integer("target_iterations");
+  path.first_increment = section.series("first_load_increment");
+  path.acceleration = section.boolean("acceleration");
+  path.max_iterations = section.integer("max_iterations");
+  path.max_steps = section.integer("max_steps");
+  path.largest_move = section.maybe_number("largest_move");
+  path.at_bifurcation = choices::at_bifurcation.value(section.text("at_bifurcation"));
+  path.branch = section.integer("branch");
+  path.branch_amplitude = section.maybe_number("branch_amplitude");
+  if (path.branch_amplitude == 0.0)
+    section.fail("branch_amplitude", "0 does not leave the path; accepted: positive or negative lengths");
+  path.relax_unstable = section.text("unstable_end") == "relax";
+  path.frame_every = section.integer("frame_every");
+  path.time_limit = section.maybe_number("time_limit");
+  return path;
 }
 
 OutputCase resolve_output(const CaseSection& section, double duration) {

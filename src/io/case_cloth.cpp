@@ -61,6 +61,7 @@ ClothCase resolve_cloth(const CaseSection& cloth, const std::filesystem::path& f
     resolved.waviness_given = true;
     resolved.waviness_amplitude = waviness.number("amplitude");
     resolved.waviness_seed = static_cast<unsigned>(waviness.integers("seed").front());
+    if (waviness.has("at_rest")) resolved.waviness_at_rest = waviness.boolean("at_rest");
   }
   return resolved;
 }

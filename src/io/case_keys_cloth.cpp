@@ -141,6 +141,12 @@ Section waviness() {
                .range = from_to(0, 4294967295.0),
                .default_value = "1",
                .doc = "Of the random numbers: the same seed gives the same sheet."},
+              {.name = "at_rest",
+               .type = KeyType::boolean,
+               .default_note = "true with `analysis = \"arc-length\"`, else false",
+               .doc =
+                   "Whether the cloth was made that way: true, the wavy shape is free of stress; false, it is a flat "
+                   "sheet that starts a little off its place."},
           },
   };
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "case_keys.hpp"
 
 namespace sundrape {
@@ -27,6 +29,66 @@ Key nodes(std::vector<std::string> kinds = {}) {
 
 Key length(std::string name, std::string doc) {
   return {.name = std::move(name), .unit = "m", .range = positive(), .required = true, .doc = std::move(doc)};
+}
+
+Key stages(const std::string& what) {
+  return {.name = "stages",
+          .type = KeyType::series,
+          .entries = 20,
+          .default_value = "1",
+          .doc = fmt::format("How much of {} there is at the end of each stage of `analysis = \"arc-length\"`, as a "
+                             "share; after the last one it stays. Other analyses take the last.",
+                             what)};
+}
+
+Section motion() {
+  return {
+      .name = "motion",
+      .heading = "`[[motion]]`",
+      .doc =
+          "Nodes that are held and carried along a path; with `analysis = \"arc-length\"` in this version. Several "
+          "motions of one node follow each other.",
+      .keys =
+          {
+              nodes(),
+              {.name = "components",
+               .type = KeyType::choices,
+               .choices = {"x", "y", "z"},
+               .default_value = R"(["x", "y", "z"])",
+               .doc = "What follows the path; the others are free, or held by a `[[fix]]`."},
+              {.name = "path", .type = KeyType::table, .holds = "motion.path", .required = true, .doc = "Where to."},
+              stages("the path"),
+              {.name = "name",
+               .type = KeyType::name,
+               .default_note = "from the selector",
+               .doc = "Of its reaction in the result; no two alike."},
+          },
+  };
+}
+
+Section motion_path() {
+  return {
+      .name = "motion.path",
+      .heading = "`path = { ... }` of `[[motion]]`",
+      .kind_key = "kind",
+      .keys =
+          {
+              {.name = "kind",
+               .type = KeyType::choice,
+               .choices = {"arc", "line"},
+               .later = {"keyframes"},
+               .required = true,
+               .doc = "A turn about an axis, or a translation."},
+              only_for({"arc"}, required(vector3("centre", "m", "A point of the axis."))),
+              {.name = "axis",
+               .type = KeyType::direction,
+               .required = true,
+               .kinds = {"arc"},
+               .doc = "Of any length; turns follow the right hand."},
+              {.name = "angle", .unit = "rad", .required = true, .kinds = {"arc"}, .doc = "Of the whole turn."},
+              only_for({"line"}, required(vector3("by", "m", "The whole translation."))),
+          },
+  };
 }
 
 Section fix() {
@@ -108,6 +170,7 @@ Section load() {
                .required = true,
                .kinds = {"pressure"},
                .doc = "Along the normal of every face, which it follows."},
+              stages("the load"),
               {.name = "ramp",
                .unit = "s",
                .range = not_negative(),
@@ -229,7 +292,8 @@ Section contact() {
 }  // namespace
 
 std::vector<Section> scene_keys() {
-  return {fix(), selector(), selector_plane(), selector_sphere(), load(), obstacle(), contact()};
+  return {fix(),  motion(),   motion_path(), selector(), selector_plane(), selector_sphere(),
+          load(), obstacle(), contact()};
 }
 
 }  // namespace sundrape

@@ -19,11 +19,11 @@ std::vector<Section> top_keys() {
                    "a director at every node."},
               {.name = "analysis",
                .type = KeyType::choice,
-               .choices = {"dynamics", "relaxation"},
-               .later = {"arc-length"},
+               .choices = {"dynamics", "relaxation", "arc-length"},
                .required = true,
                .doc =
-                   "What to compute: a motion in time, or a static equilibrium. Tables of other analyses may stay in "
+                   "What to compute: a motion in time, a static equilibrium, or the path of equilibria that loads and "
+                   "moved supports lead along. Tables of other analyses may stay in "
                    "the file; they are checked, not used."},
               {.name = "cloth", .type = KeyType::table, .holds = "cloth", .required = true, .doc = "The sheet."},
               {.name = "material", .type = KeyType::table, .holds = "material", .required = true, .doc = "Its fabric."},
@@ -32,7 +32,7 @@ std::vector<Section> top_keys() {
                .holds = "shell",
                .doc = "Its elements, of `model = \"shell\"`."},
               {.name = "fix", .type = KeyType::tables, .holds = "fix", .doc = "Supports."},
-              {.name = "motion", .type = KeyType::tables, .available = false, .doc = "Prescribed paths of node sets."},
+              {.name = "motion", .type = KeyType::tables, .holds = "motion", .doc = "Prescribed paths of node sets."},
               {.name = "load", .type = KeyType::tables, .holds = "load", .doc = "What pulls and pushes."},
               {.name = "obstacle", .type = KeyType::tables, .holds = "obstacle", .doc = "Rigid bodies in the way."},
               {.name = "contact", .type = KeyType::table, .holds = "contact", .doc = "How cloth meets obstacles."},

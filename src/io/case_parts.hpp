@@ -11,13 +11,21 @@ namespace sundrape {
 void resolve_bending(const CaseSection& bending, Fabric& fabric);
 [[nodiscard]] ShellCase resolve_shell(const CaseSection& section);
 [[nodiscard]] std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Model model);
+/// Names of motions are told from those of supports too.
+[[nodiscard]] std::vector<MotionCase> resolve_motions(const std::vector<CaseSection>& sections,
+                                                      const std::vector<FixCase>& fixes);
+/// What a selector is called where the case gives no name.
+[[nodiscard]] std::string name_of(const Selector& selector);
 [[nodiscard]] std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections);
 [[nodiscard]] std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections);
 [[nodiscard]] ContactCase resolve_contact(const CaseSection& section, double thickness);
 [[nodiscard]] DynamicsCase resolve_dynamics(const CaseSection& section);
 [[nodiscard]] RelaxationCase resolve_relaxation(const CaseSection& section);
+[[nodiscard]] ArcLengthCase resolve_arc_length(const CaseSection& section);
 [[nodiscard]] OutputCase resolve_output(const CaseSection& section, double duration);
 
+/// Refuses prescribed motion where the analysis cannot follow it yet.
+void require_arc_length_for_motions(const CaseSection& top, const Case& resolved);
 /// Refuses what only a shell has where the model is another.
 void require_shell_model(const CaseSection& top, const Case& resolved);
 /// Refuses massless directors where the integrator needs an ODE.

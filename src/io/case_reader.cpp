@@ -39,7 +39,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.text = print(root);
   resolved.title = top.has("title") ? top.text("title") : file.stem().string();
   resolved.model = choices::model.value(top.text("model"));
-  resolved.analysis = top.text("analysis") == "dynamics" ? Analysis::dynamics : Analysis::relaxation;
+  resolved.analysis = choices::analysis.value(top.text("analysis"));
   resolved.cloth = resolve_cloth(cloth_section(top, root), file.parent_path());
   const CaseSection material = top.table("material");
   if (material.has("title")) resolved.fabric_title = material.text("title");
@@ -47,6 +47,8 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.shell = resolve_shell(top.table("shell"));
   require_shell_model(top, resolved);
   resolved.fixes = resolve_fixes(top.tables("fix"), resolved.model);
+  resolved.motions = resolve_motions(top.tables("motion"), resolved.fixes);
+  require_arc_length_for_motions(top, resolved);
   resolved.loads = resolve_loads(top.tables("load"));
   resolved.obstacles = resolve_obstacles(top.tables("obstacle"));
   resolved.contact = resolve_contact(top.table("contact"), resolved.fabric.thickness);
@@ -56,6 +58,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   require_damping_of_massless_directors(top, resolved);
   resolved.relaxation = resolve_relaxation(top.table("relaxation"));
   require_scheme_of_shell(top, resolved);
+  resolved.arc_length = resolve_arc_length(top.table("arc-length"));
   if (resolved.analysis == Analysis::dynamics && !dynamics.has("duration")) {
     const SourceLine where = top.has("dynamics") ? dynamics.source() : top.source("analysis");
     throw CaseError(where.file, where.line, "dynamics.duration", "missing: how long the motion lasts");

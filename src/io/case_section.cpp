@@ -126,26 +126,33 @@ std::optional<double> CaseSection::maybe_number(std::string_view name) const {
   return number(name);
 }
 
+std::vector<double> CaseSection::short_list(const Key& key, const toml::array& array) const {
+  if (array.empty() || array.size() > key.entries)
+    fail_at(array, source_, path(key.name),
+            fmt::format("a list of 1 to {} numbers is expected, not of {}", key.entries, array.size()));
+  std::vector<double> numbers;
+  for (const auto& entry : array) numbers.push_back(scalar(key, entry));
+  return numbers;
+}
+
+std::vector<double> CaseSection::series(std::string_view name) const {
+  const Key& k = key(name);
+  const toml::node& node = value(name);
+  return node.is_array() ? short_list(k, *node.as_array()) : std::vector<double>{scalar(k, node)};
+}
+
 std::vector<std::vector<double>> CaseSection::lists(std::string_view name) const {
   const Key& k = key(name);
   const toml::node& node = value(name);
   if (!node.is_array()) fail(name, fmt::format("a list of numbers is expected, not {}", echo(node)));
-  const auto one = [&](const toml::array& array) {
-    if (array.empty() || array.size() > k.entries)
-      fail_at(array, source_, path(name),
-              fmt::format("a list of 1 to {} numbers is expected, not of {}", k.entries, array.size()));
-    std::vector<double> numbers;
-    for (const auto& entry : array) numbers.push_back(scalar(k, entry));
-    return numbers;
-  };
   const auto& outer = *node.as_array();
-  if (outer.empty() || !outer.front().is_array()) return {one(outer)};
+  if (outer.empty() || !outer.front().is_array()) return {short_list(k, outer)};
   if (outer.size() != 2) fail(name, fmt::format("[warp list, weft list] is expected, not {} lists", outer.size()));
   std::vector<std::vector<double>> both;
   for (const auto& entry : outer) {
     if (!entry.is_array())
       fail_at(entry, source_, path(name), fmt::format("a list of numbers is expected, not {}", echo(entry)));
-    both.push_back(one(*entry.as_array()));
+    both.push_back(short_list(k, *entry.as_array()));
   }
   return both;
 }

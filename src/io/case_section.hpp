@@ -44,6 +44,7 @@ class CaseSection {
   [[nodiscard]] double number(std::string_view name) const { return numbers(name).front(); }
   [[nodiscard]] std::optional<double> maybe_number(std::string_view name) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view name) const;
+  [[nodiscard]] std::vector<double> series(std::string_view name) const;              // one or more
   [[nodiscard]] std::vector<std::vector<double>> lists(std::string_view name) const;  // one or two
   [[nodiscard]] int integer(std::string_view name) const { return static_cast<int>(integers(name).front()); }
   [[nodiscard]] std::vector<std::int64_t> integers(std::string_view name) const;
@@ -73,6 +74,7 @@ class CaseSection {
   [[nodiscard]] std::string path(std::string_view name) const;
   [[nodiscard]] double scalar(const Key& key, const toml::node& node) const;
   [[nodiscard]] std::vector<double> list(const Key& key, const toml::array& array) const;
+  [[nodiscard]] std::vector<double> short_list(const Key& key, const toml::array& array) const;
   void check_known(const toml::key& name, const std::string& kind) const;
   void check_value(const Key& key) const;
   void check_required(const std::string& kind) const;

@@ -90,6 +90,9 @@ void CaseSection::check_value(const Key& key) const {
     case KeyType::number:
       (void)numbers(key.name);
       break;
+    case KeyType::series:
+      (void)series(key.name);
+      break;
     case KeyType::lists:
       (void)lists(key.name);
       break;

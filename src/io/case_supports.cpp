@@ -7,9 +7,9 @@
 #include "case_parts.hpp"
 
 namespace sundrape {
-namespace {
+namespace {}  // namespace
 
-std::string default_name(const Selector& selector) {
+std::string name_of(const Selector& selector) {
   struct Name {
     std::string operator()(const NamedSet& set) const { return set.name; }
     std::string operator()(const Near&) const { return "near"; }
@@ -19,6 +19,8 @@ std::string default_name(const Selector& selector) {
   };
   return std::visit(Name{}, selector);
 }
+
+namespace {
 
 bool same(const Selector& a, const Selector& b) {
   struct Numbers {
@@ -30,8 +32,7 @@ bool same(const Selector& a, const Selector& b) {
       return {ball.centre, Vector3::Constant(ball.radius)};
     }
   };
-  return default_name(a) == default_name(b) && a.index() == b.index() &&
-         std::visit(Numbers{}, a) == std::visit(Numbers{}, b);
+  return name_of(a) == name_of(b) && a.index() == b.index() && std::visit(Numbers{}, a) == std::visit(Numbers{}, b);
 }
 
 bool same_components(const FixCase& a, const FixCase& b) {
@@ -81,7 +82,7 @@ std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Mod
   // Names that the case does not give must not meet those that it does.
   for (auto& fix : fixes) {
     if (!fix.name.empty()) continue;
-    const std::string base = default_name(fix.nodes);
+    const std::string base = name_of(fix.nodes);
     const auto taken = [&](const std::string& name) {
       return std::any_of(fixes.begin(), fixes.end(), [&](const FixCase& other) { return other.name == name; });
     };
@@ -97,6 +98,7 @@ std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections) {
   for (const auto& section : sections) {
     LoadCase load;
     load.ramp = section.number("ramp");
+    load.stages = section.series("stages");
     const std::string kind = section.text("kind");
     load.source = kind == "gravity" || kind == "pressure" ? section.source() : section.source("nodes");
     if (kind == "gravity")

@@ -8,10 +8,10 @@ namespace {
 
 const std::array<std::string, 2> slots{"/checkpoint/slot_0", "/checkpoint/slot_1"};
 
-std::array<std::int64_t, 4> counts(const Checkpoint& checkpoint) {
+std::array<std::int64_t, 6> counts(const Checkpoint& checkpoint) {
   const auto number = [](std::uint64_t count) { return static_cast<std::int64_t>(count); };
-  return {number(checkpoint.frames), number(checkpoint.steps), number(checkpoint.probe_rows),
-          number(checkpoint.warnings)};
+  return {number(checkpoint.frames),   number(checkpoint.steps),      number(checkpoint.probe_rows),
+          number(checkpoint.warnings), number(checkpoint.iterations), number(checkpoint.critical_points)};
 }
 
 template <class Range>
@@ -27,9 +27,10 @@ void create_slot(hdf5::File& file, const std::string& slot, const Numbered& cont
   file.create_group(slot + "/arrays");
   for (const auto& [name, values] : content.checkpoint.arrays)
     write("arrays/" + name, hdf5::Element::real64, values.size(), bytes_of(values));
-  write("rows", hdf5::Element::int64, 4, bytes_of(counts(content.checkpoint)));
-  file.set_attribute(slot + "/rows", "description",
-                     std::string("frames, steps, probe rows and warnings up to the checkpoint"));
+  write("rows", hdf5::Element::int64, 6, bytes_of(counts(content.checkpoint)));
+  file.set_attribute(
+      slot + "/rows", "description",
+      std::string("frames, steps, probe rows, warnings, iterations and critical points up to the checkpoint"));
   write("sequence", hdf5::Element::int64, 1, bytes_of(std::array{content.sequence}));
   file.set_attribute(slot + "/sequence", "description", std::string("the larger the newer; 0: not valid"));
 }
@@ -80,11 +81,14 @@ std::optional<Numbered> read_newest(const hdf5::File& file) {
   for (const auto& name : file.children(slot + "/arrays"))
     checkpoint.arrays[name] = file.dataset(inside + name).read<double>();
   const auto rows = file.dataset(slot + "/rows").read<std::int64_t>();
-  const auto number = [&](std::size_t i) { return static_cast<std::uint64_t>(rows.at(i)); };
+  // results of version 0.1 count the first four only
+  const auto number = [&](std::size_t i) { return i < rows.size() ? static_cast<std::uint64_t>(rows[i]) : 0; };
   checkpoint.frames = number(0);
   checkpoint.steps = number(1);
   checkpoint.probe_rows = number(2);
   checkpoint.warnings = number(3);
+  checkpoint.iterations = number(4);
+  checkpoint.critical_points = number(5);
   return newest;
 }
 

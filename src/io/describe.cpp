@@ -7,6 +7,7 @@
 
 #include "case_choices.hpp"
 #include "case_description.hpp"
+#include "describe_parts.hpp"
 
 namespace sundrape {
 namespace {
@@ -53,6 +54,7 @@ void describe_cloth(CaseDescription& out, const ClothCase& cloth) {
     out.enter("waviness", "cloth.waviness");
     out.number("amplitude", cloth.waviness_amplitude);
     out.verbatim("seed", fmt::format("{}", cloth.waviness_seed));
+    if (cloth.waviness_at_rest) out.verbatim("at_rest", *cloth.waviness_at_rest ? "true" : "false");
   }
 }
 
@@ -121,62 +123,6 @@ void describe_shell(CaseDescription& out, const ShellCase& shell) {
   out.number("rotary_inertia", shell.rotary_inertia);
 }
 
-std::string point_text(const Vector3& p) { return fmt::format("[{:.10g}, {:.10g}, {:.10g}]", p.x(), p.y(), p.z()); }
-
-struct SelectorText {
-  std::string operator()(const NamedSet& set) const { return fmt::format("\"{}\"", set.name); }
-  std::string operator()(const Near& near) const { return fmt::format("{{ near = {} m }}", point_text(near.point)); }
-  std::string operator()(const InBox& box) const {
-    return fmt::format("{{ box = [{}, {}] m }}", point_text(box.low), point_text(box.high));
-  }
-  std::string operator()(const OnPlane& plane) const {
-    return fmt::format("{{ plane: point {} m, normal {} }}", point_text(plane.point), point_text(plane.normal));
-  }
-  std::string operator()(const InSphere& ball) const {
-    return fmt::format("{{ sphere: centre {} m, radius {:.10g} m }}", point_text(ball.centre), ball.radius);
-  }
-};
-
-void describe_fix(CaseDescription& out, const FixCase& fix, std::size_t index) {
-  out.enter("fix", fmt::format("fix.{}", index));
-  out.text("name", fix.name);
-  out.verbatim("nodes", std::visit(SelectorText{}, fix.nodes));
-  std::vector<std::string> held;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (fix.components[i]) held.push_back(fmt::format("\"{}\"", "xyz"[i]));
-  if (fix.rotation) held.emplace_back("\"rotation\"");
-  for (std::size_t i = 0; i < 3; ++i)
-    if (fix.director[i] && !fix.rotation) held.push_back(fmt::format("\"director-{}\"", "xyz"[i]));
-  out.verbatim("components", fmt::format("[{}]", fmt::join(held, ", ")));
-}
-
-void describe_load(CaseDescription& out, const LoadCase& load, std::size_t index) {
-  const auto enter = [&](const char* kind) {
-    out.enter("load", fmt::format("load.{}", index), kind);
-    out.text("kind", kind);
-  };
-  if (const auto* gravity = std::get_if<GravityLoad>(&load.load)) {
-    enter("gravity");
-    out.vector3("acceleration", gravity->acceleration);
-  } else if (const auto* force = std::get_if<ForceLoad>(&load.load)) {
-    enter("force");
-    out.verbatim("nodes", std::visit(SelectorText{}, force->nodes));
-    out.vector3("total", force->total);
-  } else if (const auto* moment = std::get_if<MomentLoad>(&load.load)) {
-    enter("moment");
-    out.verbatim("nodes", std::visit(SelectorText{}, moment->nodes));
-    out.vector3("total", moment->total);
-  } else if (const auto* traction = std::get_if<TractionLoad>(&load.load)) {
-    enter("traction");
-    out.verbatim("nodes", std::visit(SelectorText{}, traction->nodes));
-    out.vector3("per_length", traction->per_length);
-  } else if (const auto* pressure = std::get_if<PressureLoad>(&load.load)) {
-    enter("pressure");
-    out.number("value", pressure->value);
-  }
-  out.number("ramp", load.ramp);
-}
-
 void describe_obstacle(CaseDescription& out, const ObstacleCase& obstacle, std::size_t index) {
   const std::string path = fmt::format("obstacle.{}", index);
   const auto enter = [&](const char* kind) {
@@ -226,52 +172,6 @@ void describe_contact(CaseDescription& out, const ContactCase& contact) {
   if (contact.restitution) out.number("restitution_speed", contact.restitution_speed);
 }
 
-void describe_dynamics(CaseDescription& out, const DynamicsCase& dynamics) {
-  out.enter("dynamics", "dynamics");
-  out.text("integrator", choices::integrator.name(dynamics.integrator));
-  out.number("duration", dynamics.duration);
-  out.number("rtol", dynamics.rtol);
-  out.maybe_number("atol_position", dynamics.atol_position);
-  out.maybe_number("atol_velocity", dynamics.atol_velocity);
-  out.verbatim("max_order", fmt::format("{}", dynamics.max_order));
-  if (dynamics.integrator == IntegratorKind::rk4) out.maybe_number("step", dynamics.step);
-  out.maybe_number("max_step", dynamics.max_step);
-  out.maybe_number("first_step", dynamics.first_step);
-  out.text("linear_solver", dynamics.linear_solver);
-  out.maybe_number("until_rest", dynamics.until_rest);
-  out.maybe_number("time_limit", dynamics.time_limit);
-}
-
-void describe_relaxation(CaseDescription& out, const RelaxationCase& relaxation) {
-  out.enter("relaxation", "relaxation");
-  out.number("tolerance", relaxation.tolerance);
-  out.text("scheme", relaxation.scheme);
-  if (relaxation.max_iterations) out.verbatim("max_iterations", fmt::format("{}", *relaxation.max_iterations));
-  out.maybe_number("first_step", relaxation.first_step);
-  out.number("growth", relaxation.growth);
-  out.text("linear_solver", relaxation.linear_solver);
-  if (relaxation.scheme == "chapter") {
-    out.maybe_number("c_disp", relaxation.c_disp);
-    out.maybe_number("c_acc", relaxation.c_acc);
-  }
-  out.maybe_number("time_limit", relaxation.time_limit);
-}
-
-void describe_output(CaseDescription& out, const OutputCase& output, Model model) {
-  out.heading("output");
-  out.enter("output", "output");
-  if (!output.frame_times.empty())
-    out.verbatim("frames",
-                 fmt::format("{} ({} with the one at 0 s)", output.frame_times.size() - 1, output.frame_times.size()));
-  out.number("checkpoint_every", output.checkpoint_every);
-  if (model == Model::shell) out.verbatim("resultants", output.resultants ? "true" : "false");
-  for (std::size_t i = 0; i < output.probes.size(); ++i) {
-    out.enter("output.probes", fmt::format("output.probes.{}", i));
-    out.text("name", output.probes[i].name);
-    out.vector3("near", output.probes[i].near);
-  }
-}
-
 }  // namespace
 
 std::string describe(const Case& resolved) {
@@ -279,12 +179,13 @@ std::string describe(const Case& resolved) {
   out.enter("", "");
   out.text("title", resolved.title);
   out.text("model", choices::model.name(resolved.model));
-  out.text("analysis", resolved.analysis == Analysis::dynamics ? "dynamics" : "relaxation");
+  out.text("analysis", to_string(resolved.analysis));
   describe_cloth(out, resolved.cloth);
   describe_fabric(out, resolved.fabric_title, resolved.fabric, resolved.model);
   if (resolved.model == Model::shell) describe_shell(out, resolved.shell);
   if (!resolved.fixes.empty()) out.heading("supports");
   for (std::size_t i = 0; i < resolved.fixes.size(); ++i) describe_fix(out, resolved.fixes[i], i);
+  for (std::size_t i = 0; i < resolved.motions.size(); ++i) describe_motion(out, resolved.motions[i], i);
   if (!resolved.loads.empty()) out.heading("loads");
   for (std::size_t i = 0; i < resolved.loads.size(); ++i) describe_load(out, resolved.loads[i], i);
   if (!resolved.obstacles.empty()) out.heading("obstacles");
@@ -293,8 +194,10 @@ std::string describe(const Case& resolved) {
   out.heading("the analysis");
   if (resolved.analysis == Analysis::dynamics)
     describe_dynamics(out, resolved.dynamics);
-  else
+  else if (resolved.analysis == Analysis::relaxation)
     describe_relaxation(out, resolved.relaxation);
+  else
+    describe_arc_length(out, resolved.arc_length, resolved.stages());
   describe_output(out, resolved.output, resolved.model);
   return out.print();
 }

@@ -28,6 +28,8 @@ std::string type_text(const Key& key) {
       return "list of choices";
     case KeyType::number:
       return number_text(key, key.unit == "1" ? "number" : "quantity");
+    case KeyType::series:
+      return fmt::format("number or list of 1 to {}", key.entries);
     case KeyType::lists:
       return fmt::format("list of 1 to {} numbers, or two", key.entries);
     case KeyType::integer:

@@ -13,6 +13,7 @@ using layout::Meaning;
 constexpr std::size_t warning_length = 512;  // bytes
 constexpr std::uint64_t expected_steps = 4096;
 constexpr std::uint64_t expected_warnings = 16;
+constexpr std::uint64_t expected_critical_points = 4;
 
 const std::vector<Meaning>& table() {
   static const std::vector<Meaning> meanings{
@@ -21,7 +22,8 @@ const std::vector<Meaning>& table() {
       {"/mesh/quads", "1", "the four nodes of each quadrilateral, counter-clockwise"},
       {"/mesh/sets/*", "1", "nodes of a named set"},
       {"/frames/time", "s", "time of each frame; of a relaxation, its pseudo-time"},
-      {"/frames/load_factor", "1", "load factor of each frame"},
+      {"/frames/load_factor", "1", "load factor of each frame, in its stage"},
+      {"/frames/stage", "1", "stage of loads and motions that each frame is in, from 1 on"},
       {"/frames/position", "m", "position of each node"},
       {"/frames/velocity", "m/s", "velocity of each node"},
       {"/frames/contact_force", "N", "contact force on each node"},
@@ -50,10 +52,15 @@ const std::vector<Meaning>& table() {
       {"/frames/reaction_moment/*", "N m",
        "moment that the cloth exerts on a fixed or moved set, about the mean position of its nodes"},
       {"/probes/*/time", "s", "time of every accepted step"},
+      {"/probes/*/load_factor", "1", "load factor of every accepted step of an equilibrium path"},
       {"/probes/*/position", "m", "position of the probed node"},
       {"/probes/*/velocity", "m/s", "velocity of the probed node"},
       {"/steps/time", "s", "time at the end of every accepted step; of a relaxation, its pseudo-time"},
       {"/steps/load_factor", "1", "load factor at the end of every accepted step"},
+      {"/steps/stage", "1", "stage of loads and motions"},
+      {"/steps/arc_length", "1",
+       "length of the step: norm of all increments of coordinates over the sheet's size, and of the load factor"},
+      {"/steps/halvings", "1", "how often the step was halved because it diverged"},
       {"/steps/step_size", "s", "size of the step"},
       {"/steps/order", "1", "order of the method"},
       {"/steps/newton_iterations", "1", "Newton iterations"},
@@ -65,6 +72,18 @@ const std::vector<Meaning>& table() {
       {"/steps/negative_pivots", "1", "negative pivots of the tangent stiffness; -1: not evaluated"},
       {"/steps/total_energy", "J", "kinetic and stored energy"},
       {"/steps/kinetic_energy", "J", "kinetic energy"},
+      {"/iterations/step", "1", "step that the iteration was for, from 1 on, rejected tries included"},
+      {"/iterations/iteration", "1", "number of the iteration in its try; 1 is the prediction"},
+      {"/iterations/load_factor", "1", "load factor of the iterate"},
+      {"/iterations/residual", "1", "norm of the out-of-balance force over the norm of the external force"},
+      {"/critical/load_factor", "1", "load factor at which the tangent is singular"},
+      {"/critical/uncertainty", "1", "the load factor is known to plus or minus this"},
+      {"/critical/stage", "1", "stage of loads and motions"},
+      {"/critical/limit_point", "1", "1: the load has an extreme there; 0: the path forks"},
+      {"/critical/pivots_before", "1", "negative pivots of the tangent before the point"},
+      {"/critical/pivots_after", "1", "negative pivots of the tangent after it"},
+      {"/critical/position", "m", "position of each node at the point"},
+      {"/critical/mode", "1", "displacements of the nodes in the critical mode, the largest of a node or director 1"},
       {"/warnings", "1", "what the analysis found worth saying"},
   };
   return meanings;
@@ -84,9 +103,15 @@ Column column(const std::string& path, std::vector<std::uint64_t> row_shape = {}
 }
 
 bool counts(std::string_view name) {
-  constexpr std::array<std::string_view, 7> names{
-      "order",    "newton_iterations", "linear_iterations", "error_test_failures", "convergence_failures",
-      "contacts", "negative_pivots"};
+  constexpr std::array<std::string_view, 9> names{"order",
+                                                  "newton_iterations",
+                                                  "linear_iterations",
+                                                  "error_test_failures",
+                                                  "convergence_failures",
+                                                  "contacts",
+                                                  "negative_pivots",
+                                                  "stage",
+                                                  "halvings"};
   return std::ranges::find(names, name) != names.end();
 }
 
@@ -101,6 +126,8 @@ Series frame_series(const ResultHeader& header) {
   Series frames{.columns = {column(layout::frame_variable_path(header.frame_variable))},
                 .expected_rows = header.expected_frames};
   auto& columns = frames.columns;
+  if (header.frame_variable == FrameVariable::load_factor)
+    columns.push_back(column("/frames/stage", {}, hdf5::Element::int64));
   for (const auto* const name : {"position", "velocity", "contact_force"})
     columns.push_back(column(fmt::format("/frames/{}", name), {nodes, 3}));
   if (header.director) columns.push_back(column("/frames/director", {nodes, 3}));
@@ -118,6 +145,24 @@ Series frame_series(const ResultHeader& header) {
   for (const auto& set : header.reaction_sets)
     columns.push_back(column("/frames/reaction_moment/" + layout::link_name(set), {3}));
   return frames;
+}
+
+Series iteration_series() {
+  return {.columns = {column("/iterations/step", {}, hdf5::Element::int64),
+                      column("/iterations/iteration", {}, hdf5::Element::int64), column("/iterations/load_factor"),
+                      column("/iterations/residual")},
+          .expected_rows = expected_steps};
+}
+
+Series critical_series(const ResultHeader& header) {
+  const auto nodes = static_cast<std::uint64_t>(header.mesh.nodes());
+  Series points{.columns = {column("/critical/load_factor"), column("/critical/uncertainty")},
+                .expected_rows = expected_critical_points};
+  for (const auto* const name : {"stage", "limit_point", "pivots_before", "pivots_after"})
+    points.columns.push_back(column(fmt::format("/critical/{}", name), {}, hdf5::Element::int64));
+  points.columns.push_back(column("/critical/position", {nodes, 3}));
+  points.columns.push_back(column("/critical/mode", {nodes, 3}));
+  return points;
 }
 
 }  // namespace
@@ -140,6 +185,11 @@ std::vector<StepColumn> dynamics_step_columns() {
 std::vector<StepColumn> relaxation_step_columns() {
   return step_columns(
       {"time", "step_size", "residual", "newton_iterations", "linear_iterations", "contacts", "negative_pivots"});
+}
+
+std::vector<StepColumn> path_step_columns() {
+  return step_columns({"load_factor", "stage", "arc_length", "newton_iterations", "halvings", "residual", "contacts",
+                       "negative_pivots"});
 }
 
 namespace layout {
@@ -197,9 +247,14 @@ std::vector<Series> series(const ResultHeader& header) {
                                                each.description});
   for (const auto& probe : header.probes) {
     const auto group = "/probes/" + link_name(probe.name);
-    all[SeriesIndex::probes].columns.push_back(column(group + "/time"));
+    all[SeriesIndex::probes].columns.push_back(
+        column(group + (header.frame_variable == FrameVariable::time ? "/time" : "/load_factor")));
     all[SeriesIndex::probes].columns.push_back(column(group + "/position", {3}));
     all[SeriesIndex::probes].columns.push_back(column(group + "/velocity", {3}));
+  }
+  if (header.frame_variable == FrameVariable::load_factor) {
+    all[SeriesIndex::iterations] = iteration_series();
+    all[SeriesIndex::critical] = critical_series(header);
   }
   all[SeriesIndex::frames] = frame_series(header);
   return all;

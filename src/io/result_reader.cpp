@@ -118,16 +118,43 @@ std::map<std::string, ProbeHistory> ResultReader::probes() const {
   std::map<std::string, ProbeHistory> result;
   const auto names = file_.children("/probes");
   auto rows = std::numeric_limits<std::uint64_t>::max();
-  for (const auto& name : names) rows = std::min(rows, file_.dataset("/probes/" + name + "/time").rows());
+  const std::string variable = frame_variable_ == FrameVariable::time ? "/time" : "/load_factor";
+  for (const auto& name : names) rows = std::min(rows, file_.dataset("/probes/" + name + variable).rows());
   for (const auto& name : names) {
     const auto group = "/probes/" + name;
     auto& probe = result[name];
     const auto node = file_.attribute(group, "node");
     if (const auto* const number = std::get_if<std::int64_t>(&node)) probe.node = static_cast<int>(*number);
-    probe.time = file_.dataset(group + "/time").read_rows<double>(0, rows);
+    probe.time = file_.dataset(group + variable).read_rows<double>(0, rows);
     probe.position = vectors(group + "/position", rows);
     probe.velocity = vectors(group + "/velocity", rows);
   }
+  return result;
+}
+
+std::vector<CriticalRecord> ResultReader::critical_points() const {
+  std::vector<CriticalRecord> result;
+  if (!file_.exists("/critical/load_factor")) return result;
+  const auto load = file_.dataset("/critical/load_factor").read<double>();
+  const auto column = [&](const char* name) {
+    return file_.dataset(std::string("/critical/") + name).read_rows<std::int64_t>(0, load.size());
+  };
+  const auto uncertainty = file_.dataset("/critical/uncertainty").read_rows<double>(0, load.size());
+  const auto stage = column("stage"), limit = column("limit_point"), before = column("pivots_before"),
+             after = column("pivots_after");
+  const auto field = [&](const char* name, std::size_t row) {
+    const auto values = file_.dataset(std::string("/critical/") + name).read_rows<double>(row, 1);
+    return Vector(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  for (std::size_t k = 0; k < load.size(); ++k)
+    result.push_back({.limit_point = limit[k] != 0,
+                      .stage = static_cast<int>(stage[k]),
+                      .load_factor = load[k],
+                      .uncertainty = uncertainty[k],
+                      .pivots_before = static_cast<int>(before[k]),
+                      .pivots_after = static_cast<int>(after[k]),
+                      .position = field("position", k),
+                      .mode = field("mode", k)});
   return result;
 }
 

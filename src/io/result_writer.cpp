@@ -36,6 +36,8 @@ class ResultWriter::Implementation {
     next.checkpoint.steps = file_.rows(SeriesIndex::steps);
     next.checkpoint.probe_rows = file_.rows(SeriesIndex::probes);
     next.checkpoint.warnings = file_.rows(SeriesIndex::warnings);
+    next.checkpoint.iterations = file_.rows(SeriesIndex::iterations);
+    next.checkpoint.critical_points = file_.rows(SeriesIndex::critical);
     file_.commit();  // what the checkpoint counts must be there before it
     if (rest_.checkpoint) next.sequence = rest_.checkpoint->sequence + 1;
     const bool in_place = rest_.checkpoint && checkpoint_slots::overwrite_older(file_.file(), next, *rest_.checkpoint);
@@ -63,6 +65,8 @@ class ResultWriter::Implementation {
     source.rows[SeriesIndex::steps] = checkpoint.steps;
     source.rows[SeriesIndex::probes] = checkpoint.probe_rows;
     source.rows[SeriesIndex::frames] = checkpoint.frames;
+    source.rows[SeriesIndex::iterations] = checkpoint.iterations;
+    source.rows[SeriesIndex::critical] = checkpoint.critical_points;
     return source;
   }
 
@@ -155,6 +159,8 @@ void ResultWriter::append_frame(const Frame& frame) {
   const Vector contact = frame.contact_force.size() != 0 ? frame.contact_force : Vector::Zero(size);
   const Vector3 contact_sum = contact.reshaped(3, header.mesh.nodes()).rowwise().sum();
   add(std::span(&frame.variable, 1));
+  if (header.frame_variable == FrameVariable::load_factor)
+    file.append(SeriesIndex::frames, column++, std::int64_t{frame.stage});
   add(entries(frame.position));
   add(entries(frame.velocity));
   add(entries(contact));
@@ -169,6 +175,28 @@ void ResultWriter::append_frame(const Frame& frame) {
   for (const auto& reaction : frame.reactions) add(std::span(reaction.data(), 3));
   for (const auto& moment : frame.moments) add(std::span(moment.data(), 3));
   file.commit();
+}
+
+void ResultWriter::append_iteration(const PathIteration& i) {
+  auto& file = implementation_->file();
+  file.append(SeriesIndex::iterations, 0, std::int64_t{i.step});
+  file.append(SeriesIndex::iterations, 1, std::int64_t{i.iteration});
+  file.append(SeriesIndex::iterations, 2, std::span(&i.load_factor, 1));
+  file.append(SeriesIndex::iterations, 3, std::span(&i.residual, 1));
+}
+
+void ResultWriter::append_critical_point(const CriticalRecord& c) {
+  const Eigen::Index size = 3 * implementation_->header().mesh.nodes();
+  require_size(c.position, size, "position at a critical point");
+  require_size(c.mode, size, "critical mode");
+  auto& file = implementation_->file();
+  std::size_t column = 0;
+  file.append(SeriesIndex::critical, column++, std::span(&c.load_factor, 1));
+  file.append(SeriesIndex::critical, column++, std::span(&c.uncertainty, 1));
+  for (const int number : {c.stage, c.limit_point ? 1 : 0, c.pivots_before, c.pivots_after})
+    file.append(SeriesIndex::critical, column++, std::int64_t{number});
+  file.append(SeriesIndex::critical, column++, entries(c.position));
+  file.append(SeriesIndex::critical, column++, entries(c.mode));
 }
 
 void ResultWriter::add_warning(const std::string& text) {

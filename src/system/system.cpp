@@ -5,8 +5,13 @@
 
 namespace sundrape {
 
-System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest)
-    : mass_(std::move(mass)), terms_(std::move(terms)), unknowns_(std::move(unknowns)), rest_(std::move(rest)) {
+System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest,
+               std::vector<PrescribedMotion> motions)
+    : mass_(std::move(mass)),
+      terms_(std::move(terms)),
+      unknowns_(std::move(unknowns)),
+      rest_(std::move(rest)),
+      motions_(std::move(motions)) {
   if (mass_.size() != unknowns_.points() || rest_.size() != 3 * mass_.size())
     throw std::invalid_argument("masses, supports and coordinates differ in their number of points");
   if (!(mass_.minCoeff() >= 0)) throw std::invalid_argument("a point has a negative mass [kg]");
@@ -25,6 +30,21 @@ void System::expand(ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, V
   v.setZero();
   unknowns_.scatter(rows_q, q);
   unknowns_.scatter(rows_v, v);
+}
+
+void System::carry(double load_factor, int stage, VectorRef q) const {
+  const Vector nothing;
+  for (std::size_t m = 0; m < motions_.size(); ++m)
+    for (const int p : motions_[m].points) {
+      Vector3 x = point(rest_, p);
+      for (std::size_t k = 0; k <= m; ++k) {  // a point may have been carried along other paths before
+        const auto& motion = motions_[k];
+        if (k < m && std::ranges::find(motion.points, p) == motion.points.end()) continue;
+        x = carried_along(motion.path, motion.course.share({load_factor, nothing, nothing, stage}), x);
+      }
+      for (int c = 0; c < 3; ++c)
+        if (motions_[m].components[static_cast<std::size_t>(c)]) q[3 * p + c] = x[c];
+    }
 }
 
 bool System::has_symmetric_tangent() const {
@@ -76,7 +96,7 @@ double System::external_power(const State& all) const {
 double System::external_force_norm(const State& all) const {
   Vector still = Vector::Zero(all.v.size()), f = Vector::Zero(all.q.size()), rows(unknowns_.size());
   for (const auto& term : terms_)
-    if (term->is_external()) term->add_force({all.time, all.q, still}, f);
+    if (term->is_external()) term->add_force({all.time, all.q, still, all.stage}, f);
   unknowns_.gather(f, rows);
   unknowns_.clear_held(rows);
   return rows.norm();

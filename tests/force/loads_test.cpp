@@ -21,24 +21,29 @@ TEST(DeadLoad, OnARampWhatDoesNotYetActCountsAsPowerFromOutside) {
   // With energy −F·q booked in full, power (λ − 1) F·v makes up for the share that does not act yet.
   Vector forces = Vector::Zero(3);
   forces[2] = -2;
-  const DeadLoad load("force", EnergyKind::load, forces, Ramp{1.0});
+  const DeadLoad load("force", EnergyKind::load, forces, LoadCourse{.rise = 1.0});
   TestState s = random_state(1, 4);
   s.time = 0.25;
-  const double share = Ramp{1.0}.at(0.25);
+  const double share = LoadCourse{.rise = 1.0}.share(s);
   Vector f = Vector::Zero(3);
   load.add_force(s, f);
   EXPECT_NEAR(f[2], -2 * share, 1e-15);
   EXPECT_NEAR(load.external_power(s), (share - 1) * -2 * s.v[2], 1e-15);
 }
 
-TEST(Ramp, RisesSmoothlyFromZeroToOne) {
-  const Ramp ramp{2.0};
-  EXPECT_EQ(ramp.at(-1), 0);
-  EXPECT_EQ(ramp.at(0), 0);
-  EXPECT_NEAR(ramp.at(1), 0.5, 1e-15);
-  EXPECT_EQ(ramp.at(2), 1);
-  EXPECT_EQ(Ramp{}.at(0), 1);
-  EXPECT_NEAR(ramp.at(1e-3), 10 * 1.25e-10, 1e-12);  // starts with the third power
+TEST(DeadLoad, InStagesItsForceIsTheGradientOfItsEnergyAtEveryLoadFactor) {
+  Vector forces = Vector::Zero(9);
+  forces[2] = -2;
+  const DeadLoad load("force", EnergyKind::load, forces, LoadCourse{.stages = {0.5, 1}});
+  const TestState random = random_state(3, 4);
+  for (const int stage : {1, 2}) {
+    const State s{0.3, random.q, random.v, stage};
+    Vector f = Vector::Zero(9);
+    load.add_force(s, f);
+    EXPECT_NEAR(f.dot(random.q), -load.energy(s), 1e-15);
+    EXPECT_NEAR(f[2], -2 * (stage == 1 ? 0.15 : 0.65), 1e-15);  // 0.3 of the way to 0.5, and from there to 1
+    EXPECT_EQ(load.external_power(s), 0);
+  }
 }
 
 TEST(Drag, TangentIsExactAndTakesTheEnergyItReports) {

@@ -22,7 +22,13 @@ struct EndState {
   std::map<std::string, Vector3> reactions;  // by support [N]
 };
 
-/// @param model  of the case with a static analysis, so that loads have no ramp
+/// The model that a case's end is weighed by: loads in full, whatever their ramp, and its own rest shape.
+[[nodiscard]] CaseModel weighing_model(Case c);
+
+/// The same without any waviness: the one that has the symmetries.
+[[nodiscard]] CaseModel perfect_model(Case c);
+
+/// @param model  as weighing_model or perfect_model makes it
 [[nodiscard]] EndState weigh(const CaseModel& model, Vector q);
 
 /// The last frame of a result, weighed.

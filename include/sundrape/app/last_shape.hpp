@@ -13,7 +13,7 @@ struct ShapeAtRest {
 };
 
 /// The last frame of a result on the mesh.
-/// @throws FileError  another mesh (nodes, quads, or rest positions to 1e-9 of the diagonal), no frame, or positions
+/// @throws FileError  another mesh (but for waviness at rest), no frame, or positions
 /// that
 ///                    are not finite
 [[nodiscard]] ShapeAtRest last_shape(const ResultReader& result, const QuadMesh& mesh);

@@ -62,6 +62,9 @@ struct CaseModel {
 ///                    that find no edge, supports in conflict, a mesh that cannot be used
 [[nodiscard]] CaseModel build_model(const Case& c);
 
+/// Whether a case's waviness is one of the rest shape, rather than of the start alone.
+[[nodiscard]] bool is_wavy_at_rest(const Case& c);
+
 /// Amplitude of the waviness that relaxation starts from unless the case says otherwise [m]: a flat symmetric sheet
 /// ends on a saddle.
 [[nodiscard]] double default_waviness(const Case& c);

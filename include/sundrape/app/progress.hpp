@@ -20,6 +20,8 @@ class Progress {
   void show(const std::string& line, double fraction);
   /// A line that stays.
   void say(const std::string& line);
+  /// A line that stays, of those who want to see everything.
+  void detail(const std::string& line);
 
  private:
   using Clock = std::chrono::steady_clock;

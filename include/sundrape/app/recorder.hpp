@@ -34,10 +34,14 @@ class Recorder {
   Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns,
            std::uint64_t expected_frames, RunClock clock = {});
 
-  void frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots = std::nullopt);
+  /// @param residual  where the analysis knows it better than by the loads of the moment
+  void frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots = std::nullopt,
+             std::optional<double> residual = std::nullopt);
   /// Probes and extremes of an accepted step; returns how the cloth stands to its obstacles.
   ContactReport step(const State& all);
   void step_values(std::initializer_list<ResultWriter::StepValue> values) { writer_.append_step(values); }
+  void iteration(const ResultWriter::PathIteration& iteration) { writer_.append_iteration(iteration); }
+  void critical_point(const CriticalRecord& point) { writer_.append_critical_point(point); }
   /// @param totals  what the analysis counts, in its own order and always as many
   void checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size,
                   const std::vector<double>& totals);

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
-#include "sundrape/force/ramp.hpp"
+#include "sundrape/force/load_course.hpp"
 
 namespace sundrape {
 
@@ -16,7 +16,7 @@ struct LoadedDirector {
 /// The axis stays where it is while the sheet turns. Such a moment has no potential; what it does is external power.
 class DirectorMoment final : public ForceTerm {
  public:
-  explicit DirectorMoment(std::vector<LoadedDirector> directors, Ramp ramp = {});
+  explicit DirectorMoment(std::vector<LoadedDirector> directors, LoadCourse course = {});
 
   [[nodiscard]] std::string_view name() const override { return "moment"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::none; }
@@ -29,7 +29,7 @@ class DirectorMoment final : public ForceTerm {
 
  private:
   std::vector<LoadedDirector> directors_;
-  Ramp ramp_;
+  LoadCourse course_;
 };
 
 }  // namespace sundrape

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
-#include "sundrape/force/ramp.hpp"
+#include "sundrape/force/load_course.hpp"
 
 namespace sundrape {
 
@@ -18,7 +18,7 @@ struct LoadedEdge {
 /// an edge about itself. In a plane it has the potential −M θ; in space it has none, and its tangent is not symmetric.
 class EdgeMoment final : public ForceTerm {
  public:
-  explicit EdgeMoment(std::vector<LoadedEdge> edges, Ramp ramp = {});
+  explicit EdgeMoment(std::vector<LoadedEdge> edges, LoadCourse course = {});
 
   [[nodiscard]] std::string_view name() const override { return "edge moment"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::none; }
@@ -31,7 +31,7 @@ class EdgeMoment final : public ForceTerm {
 
  private:
   std::vector<LoadedEdge> edges_;
-  Ramp ramp_;
+  LoadCourse course_;
 };
 
 }  // namespace sundrape

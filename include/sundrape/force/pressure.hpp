@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
-#include "sundrape/force/ramp.hpp"
+#include "sundrape/force/load_course.hpp"
 
 namespace sundrape {
 
@@ -13,7 +13,7 @@ namespace sundrape {
 class Pressure final : public ForceTerm {
  public:
   /// @param pressure  [Pa], positive along the normal of the counter-clockwise side
-  Pressure(std::vector<std::array<int, 4>> faces, double pressure, Ramp ramp = {});
+  Pressure(std::vector<std::array<int, 4>> faces, double pressure, LoadCourse course = {});
 
   [[nodiscard]] std::string_view name() const override { return "pressure"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::none; }
@@ -28,7 +28,7 @@ class Pressure final : public ForceTerm {
  private:
   std::vector<std::array<int, 4>> faces_;
   double pressure_;
-  Ramp ramp_;
+  LoadCourse course_;
 };
 
 }  // namespace sundrape

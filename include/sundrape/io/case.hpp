@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "sundrape/material/fabric.hpp"
+#include "sundrape/mesh/rigid_path.hpp"
 #include "sundrape/mesh/selector.hpp"
 #include "sundrape/types.hpp"
 
@@ -26,7 +28,9 @@ struct Place {  // rest -> placed: rotate about the origin, then translate
 };
 
 enum class Model { particle, shell };
-enum class Analysis { dynamics, relaxation };
+enum class Analysis { dynamics, relaxation, arc_length };
+/// As a case file calls it.
+[[nodiscard]] std::string to_string(Analysis analysis);
 
 // [m], warp direction first
 struct RectangleShape {
@@ -65,6 +69,7 @@ struct ClothCase {
   double waviness_amplitude = 0;       // [m], out of plane, uniform in ± amplitude at every node
   std::optional<bool> waviness_given;  // whether the case says so itself
   unsigned waviness_seed = 1;
+  std::optional<bool> waviness_at_rest;  // whether the rest shape is wavy too; default: in arc-length
 };
 
 struct FixCase {
@@ -106,8 +111,19 @@ struct PressureLoad {
 
 struct LoadCase {
   std::variant<GravityLoad, ForceLoad, MomentLoad, TractionLoad, PressureLoad> load;
-  double ramp = 0;    // reaches full size smoothly over this time [s]
-  SourceLine source;  // of the selector where it has one
+  double ramp = 0;                // reaches full size smoothly over this time [s]
+  std::vector<double> stages{1};  // shares of the load at the ends of the stages of arc-length
+  SourceLine source;              // of the selector where it has one
+};
+
+/// Nodes carried along a path.
+struct MotionCase {
+  std::string name;  // of its reaction in the result; from the selector unless given
+  Selector nodes;
+  std::array<bool, 3> components{true, true, true};
+  RigidPath path;
+  std::vector<double> stages{1};  // shares of the path at the ends of the stages
+  SourceLine source;              // of the selector
 };
 
 struct PlaneShape {
@@ -186,6 +202,25 @@ struct RelaxationCase {
   std::optional<double> time_limit;  // wall clock [s]
 };
 
+enum class PathControlKind { arc_length, load };
+enum class BifurcationKind { pass, switch_branch, stop };
+
+struct ArcLengthCase {
+  double tolerance = 1e-6;  // on |out-of-balance force| / |external force|
+  PathControlKind control = PathControlKind::arc_length;
+  int target_iterations = 7;                    // N_p
+  std::vector<double> first_increment{2.5e-4};  // of the load factor, one a stage
+  bool acceleration = true;
+  int max_iterations = 30, max_steps = 1000;
+  std::optional<double> largest_move;  // of a node in the prediction of a step [m]; default L/10
+  BifurcationKind at_bifurcation = BifurcationKind::pass;
+  int branch = 1;                          // which bifurcation
+  std::optional<double> branch_amplitude;  // first move along its mode, signed [m]; default 0.01 L
+  bool relax_unstable = false;             // the end, to the stable equilibrium next to it
+  int frame_every = 1;                     // steps
+  std::optional<double> time_limit;        // wall clock [s]
+};
+
 struct ProbeCase {
   std::string name;
   Vector3 near = Vector3::Zero();
@@ -223,14 +258,24 @@ struct Case {
   std::string fabric_title;  // empty where the case does not say
   Fabric fabric;
   std::vector<FixCase> fixes;
+  std::vector<MotionCase> motions;
   std::vector<LoadCase> loads;
   std::vector<ObstacleCase> obstacles;
   ContactCase contact;
   DynamicsCase dynamics;
   RelaxationCase relaxation;
+  ArcLengthCase arc_length;
   OutputCase output;
   std::filesystem::path file;  // the case file; relative paths inside it count from its folder
   std::string text;            // the TOML as run, --set included
+
+  /// Stages of arc-length that loads and motions name: at least 1.
+  [[nodiscard]] int stages() const {
+    std::size_t most = 1;
+    for (const auto& load : loads) most = std::max(most, load.stages.size());
+    for (const auto& motion : motions) most = std::max(most, motion.stages.size());
+    return static_cast<int>(most);
+  }
 };
 
 }  // namespace sundrape

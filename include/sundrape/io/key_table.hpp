@@ -14,6 +14,7 @@ enum class KeyType {
   choice,     // one of the key's `choices`
   choices,    // a list of them, none twice
   number,     // a number or a quantity of the key's `unit`
+  series,     // a number, or a list of one to `entries` of them, of the key's `unit`
   lists,      // one to `entries` plain numbers, or two such lists, of warp and weft
   integer,    // a whole number
   boolean,    // true or false

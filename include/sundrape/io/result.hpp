@@ -41,6 +41,8 @@ struct StepColumn {
 [[nodiscard]] std::vector<StepColumn> dynamics_step_columns();
 /// time, step_size, residual, newton_iterations, linear_iterations, contacts, negative_pivots.
 [[nodiscard]] std::vector<StepColumn> relaxation_step_columns();
+/// load_factor, stage, arc_length, newton_iterations, halvings, residual, contacts, negative_pivots.
+[[nodiscard]] std::vector<StepColumn> path_step_columns();
 
 /// What is known before the first frame.
 struct ResultHeader {
@@ -79,6 +81,7 @@ struct ElementFields {
 /// One frame. Vectors of 3N hold three components a node.
 struct Frame {
   double variable = 0;        // time [s] or load factor
+  int stage = 0;              // that the load factor is of
   Vector position, velocity;  // 3N [m], [m/s]
   Vector contact_force;       // 3N, on the cloth [N]; may be empty: zeros
   Vector director;            // 3N, where the header says so
@@ -89,6 +92,15 @@ struct Frame {
   double penetration = 0;          // deepest, into an obstacle [m]
   std::vector<Vector3> reactions;  // force that the cloth exerts on each reaction set [N]
   std::vector<Vector3> moments;    // its moment about the mean position of the set's nodes [N m]
+};
+
+/// Where an equilibrium path has a limit point or forks.
+struct CriticalRecord {
+  bool limit_point = false;
+  int stage = 1;
+  double load_factor = 0, uncertainty = 0;  // ±
+  int pivots_before = 0, pivots_after = 0;
+  Vector position, mode;  // 3N [m]; [-], the largest displacement of a node or director 1
 };
 
 using StatisticValue = std::variant<std::int64_t, double, std::string>;
@@ -102,6 +114,7 @@ struct Statistic {
 struct Checkpoint {
   std::map<std::string, std::vector<double>> arrays;
   std::uint64_t frames = 0, steps = 0, probe_rows = 0, warnings = 0;  // filled in by the writer
+  std::uint64_t iterations = 0, critical_points = 0;                  // of an equilibrium path; likewise
 };
 
 }  // namespace sundrape

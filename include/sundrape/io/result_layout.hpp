@@ -33,7 +33,7 @@ struct Meaning {
 [[nodiscard]] std::vector<const Vector*> element_values(const ElementFields& fields);
 
 /// The growing parts of a result, in the order in which they are published.
-enum SeriesIndex : std::size_t { warnings, steps, probes, frames, count };
+enum SeriesIndex : std::size_t { warnings, steps, probes, iterations, critical, frames, count };
 [[nodiscard]] std::vector<Series> series(const ResultHeader& header);
 
 /// A name as it can stand in a path: slashes become underscores, and there is at least one character.

@@ -13,7 +13,7 @@ namespace sundrape {
 
 struct ProbeHistory {
   int node = -1;
-  std::vector<double> time;                 // [s], one a step
+  std::vector<double> time;                 // [s], or load factors: one a step
   std::vector<Vector3> position, velocity;  // [m], [m/s]
 };
 
@@ -62,6 +62,8 @@ class ResultReader {
   [[nodiscard]] std::map<std::string, std::vector<double>> step_columns() const;
   [[nodiscard]] std::map<std::string, ProbeHistory> probes() const;
   [[nodiscard]] std::vector<Statistic> statistics() const;
+  /// Of an equilibrium path, in the order in which they were met.
+  [[nodiscard]] std::vector<CriticalRecord> critical_points() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::vector<ObstacleRecord> obstacles() const;
   /// The newest checkpoint that is complete.

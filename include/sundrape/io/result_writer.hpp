@@ -45,6 +45,14 @@ class ResultWriter {
   void append_frame(const Frame& frame);
   [[nodiscard]] std::uint64_t frames() const;
 
+  struct PathIteration {
+    int step = 0, iteration = 0;  // from 1 on
+    double load_factor = 0, residual = 0;
+  };
+  /// Of an equilibrium path; written with the next frame or checkpoint.
+  void append_iteration(const PathIteration& iteration);
+  void append_critical_point(const CriticalRecord& point);
+
   /// Written with the next frame or checkpoint.
   void add_warning(const std::string& text);
   /// Replaces one of that name. Written when the file is rewritten, at the latest by finish().

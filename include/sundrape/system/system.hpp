@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
+#include "sundrape/system/prescribed_motion.hpp"
 #include "sundrape/system/unknowns.hpp"
 
 namespace sundrape {
@@ -16,7 +17,9 @@ class System {
   /// @param mass   P [kg], ≥ 0; the rates of points without mass are algebraic unknowns
   /// @param terms  owned
   /// @param rest   coordinates of the held points, 3P [m] (the other entries are not read)
-  System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest);
+  /// @param motions  of points whose components are held, one after the other
+  System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unknowns unknowns, Vector rest,
+         std::vector<PrescribedMotion> motions = {});
 
   [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
   [[nodiscard]] const Vector& mass() const { return mass_; }          // P [kg]
@@ -27,6 +30,11 @@ class System {
   [[nodiscard]] bool has_symmetric_tangent() const;
   [[nodiscard]] const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
   [[nodiscard]] const BlockStructure& structure() const { return structure_; }
+
+  [[nodiscard]] bool has_motions() const { return !motions_.empty(); }
+  /// Puts the points that are carried along paths where they are at a load factor of a stage; of q, 3P [m], no other
+  /// entry changes.
+  void carry(double load_factor, int stage, VectorRef q) const;
 
   /// Every point's coordinates and rates from the unknowns'.
   void expand(ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const;
@@ -51,6 +59,7 @@ class System {
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   Unknowns unknowns_;
   Vector rest_;
+  std::vector<PrescribedMotion> motions_;
   BlockStructure structure_;
   std::vector<SlotTable> tables_;  // one a term
 };

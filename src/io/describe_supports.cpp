@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "describe_parts.hpp"
+
+namespace sundrape {
+namespace {
+
+std::string point_text(const Vector3& p) { return fmt::format("[{:.10g}, {:.10g}, {:.10g}]", p.x(), p.y(), p.z()); }
+
+struct SelectorText {
+  std::string operator()(const NamedSet& set) const { return fmt::format("\"{}\"", set.name); }
+  std::string operator()(const Near& near) const { return fmt::format("{{ near = {} m }}", point_text(near.point)); }
+  std::string operator()(const InBox& box) const {
+    return fmt::format("{{ box = [{}, {}] m }}", point_text(box.low), point_text(box.high));
+  }
+  std::string operator()(const OnPlane& plane) const {
+    return fmt::format("{{ plane: point {} m, normal {} }}", point_text(plane.point), point_text(plane.normal));
+  }
+  std::string operator()(const InSphere& ball) const {
+    return fmt::format("{{ sphere: centre {} m, radius {:.10g} m }}", point_text(ball.centre), ball.radius);
+  }
+};
+
+void describe_stages(CaseDescription& out, const std::vector<double>& stages) {
+  if (stages != std::vector<double>{1}) out.numbers("stages", stages);
+}
+
+}  // namespace
+
+void describe_fix(CaseDescription& out, const FixCase& fix, std::size_t index) {
+  out.enter("fix", fmt::format("fix.{}", index));
+  out.text("name", fix.name);
+  out.verbatim("nodes", std::visit(SelectorText{}, fix.nodes));
+  std::vector<std::string> held;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (fix.components[i]) held.push_back(fmt::format("\"{}\"", "xyz"[i]));
+  if (fix.rotation) held.emplace_back("\"rotation\"");
+  for (std::size_t i = 0; i < 3; ++i)
+    if (fix.director[i] && !fix.rotation) held.push_back(fmt::format("\"director-{}\"", "xyz"[i]));
+  out.verbatim("components", fmt::format("[{}]", fmt::join(held, ", ")));
+}
+
+void describe_motion(CaseDescription& out, const MotionCase& motion, std::size_t index) {
+  out.enter("motion", fmt::format("motion.{}", index));
+  out.text("name", motion.name);
+  out.verbatim("nodes", std::visit(SelectorText{}, motion.nodes));
+  std::vector<std::string> carried;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (motion.components[i]) carried.push_back(fmt::format("\"{}\"", "xyz"[i]));
+  out.verbatim("components", fmt::format("[{}]", fmt::join(carried, ", ")));
+  describe_stages(out, motion.stages);
+  const auto path = fmt::format("motion.{}.path", index);
+  if (const auto* arc = std::get_if<ArcPath>(&motion.path)) {
+    out.enter("motion.path", path, "arc");
+    out.text("kind", "arc");
+    out.vector3("centre", arc->centre);
+    out.vector3("axis", arc->axis);
+    out.number("angle", arc->angle);
+  } else {
+    out.enter("motion.path", path, "line");
+    out.text("kind", "line");
+    out.vector3("by", std::get<LinePath>(motion.path).by);
+  }
+}
+
+void describe_load(CaseDescription& out, const LoadCase& load, std::size_t index) {
+  const auto enter = [&](const char* kind) {
+    out.enter("load", fmt::format("load.{}", index), kind);
+    out.text("kind", kind);
+  };
+  if (const auto* gravity = std::get_if<GravityLoad>(&load.load)) {
+    enter("gravity");
+    out.vector3("acceleration", gravity->acceleration);
+  } else if (const auto* force = std::get_if<ForceLoad>(&load.load)) {
+    enter("force");
+    out.verbatim("nodes", std::visit(SelectorText{}, force->nodes));
+    out.vector3("total", force->total);
+  } else if (const auto* moment = std::get_if<MomentLoad>(&load.load)) {
+    enter("moment");
+    out.verbatim("nodes", std::visit(SelectorText{}, moment->nodes));
+    out.vector3("total", moment->total);
+  } else if (const auto* traction = std::get_if<TractionLoad>(&load.load)) {
+    enter("traction");
+    out.verbatim("nodes", std::visit(SelectorText{}, traction->nodes));
+    out.vector3("per_length", traction->per_length);
+  } else if (const auto* pressure = std::get_if<PressureLoad>(&load.load)) {
+    enter("pressure");
+    out.number("value", pressure->value);
+  }
+  out.number("ramp", load.ramp);
+  describe_stages(out, load.stages);
+}
+
+}  // namespace sundrape
