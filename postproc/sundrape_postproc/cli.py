@@ -1,4 +1,7 @@
-"""The command line: picture, filmstrip and strip. Heavy imports wait until arguments and file are known good."""
+"""The command line: picture, filmstrip and strip of one result, drapes and crosscheck of a folder of them.
+
+Heavy imports wait until arguments and file are known good.
+"""
 
 from __future__ import annotations
 
@@ -50,10 +53,46 @@ def _parser() -> argparse.ArgumentParser:
         else:
             count = 5 if name == "filmstrip" else 9
             command.add_argument("--count", type=_count, default=count, metavar="N", help=f"frames (default {count})")
+    for name, size, verb, what in (
+        ("drapes", (1500, 900), "study", "every drape that a study found"),
+        ("crosscheck", (1400, 640), "crosscheck", "where the methods of a crosscheck ended, and how far apart"),
+    ):
+        command = commands.add_parser(name, help=what, description=f"Draw {what}.")
+        command.add_argument("folder", type=Path, metavar="FOLDER", help=f"what sundrape {verb} wrote")
+        command.add_argument("-o", "--output", type=Path, required=True, metavar="PICTURE.png")
+        command.add_argument("--size", type=_size, default=size, metavar="WxH", help="in pixels (default %dx%d)" % size)
     return parser
 
 
 def _draw(options: argparse.Namespace, arguments: Sequence[str]) -> None:
+    if options.command == "drapes":
+        _draw_drapes(options, arguments)
+    elif options.command == "crosscheck":
+        from . import crosscheck, page
+
+        page.save(crosscheck.page(options.folder, crosscheck.read(options.folder), options.size), options.output)
+    else:
+        _draw_result(options, arguments)
+
+
+def _draw_drapes(options: argparse.Namespace, arguments: Sequence[str]) -> None:
+    from . import drapes, page
+
+    title, found = drapes.read(options.folder)
+    panel = drapes.grid(len(found), options.size)[2]
+    from .display import ensure_display
+
+    ensure_display(arguments)
+    from .scene import Scene
+
+    scenes = []
+    for drape in found:
+        frame = drape.result.last_frame
+        scenes.append(Scene(drape.result, [frame], panel, drapes.CAPTION_ROOM).draw(frame))
+    page.save(drapes.page(title, found, scenes, options.size), options.output)
+
+
+def _draw_result(options: argparse.Namespace, arguments: Sequence[str]) -> None:
     from .load import load
 
     result = load(options.result)

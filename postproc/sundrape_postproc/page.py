@@ -59,8 +59,8 @@ def caption(result: Result, frame: int) -> str:
 def picture(result: Result, frame: int, scene: np.ndarray, size: tuple[int, int]) -> Figure:
     """The scene (height, width, 3) at the left, its diagrams and table at the right."""
     with plt.rc_context(STYLE):
-        figure = _figure(size)
-        _place_image(figure, scene, 0)
+        figure = new_figure(size)
+        place_image(figure, scene, 0)
         figure.text(0.022, 0.955, result.title, fontsize=14, fontweight="bold", va="top", wrap=False)
         figure.text(0.022, 0.905, caption(result, frame), fontsize=9.5, va="top")
         left, width = SCENE_SHARE + 0.062, 1 - SCENE_SHARE - 0.062 - 0.105
@@ -83,10 +83,10 @@ def picture(result: Result, frame: int, scene: np.ndarray, size: tuple[int, int]
 def filmstrip(result: Result, frames: Sequence[int], scenes: Sequence[np.ndarray], size: tuple[int, int]) -> Figure:
     """Scenes side by side, each with its time."""
     with plt.rc_context(STYLE):
-        figure = _figure(size)
+        figure = new_figure(size)
         for k, (frame, scene) in enumerate(zip(frames, scenes)):
             left = k * (scene.shape[1] + GUTTER)
-            _place_image(figure, scene, left)
+            place_image(figure, scene, left)
             figure.text((left + scene.shape[1] / 2) / size[0], 0.05, caption(result, frame), ha="center", fontsize=10)
         return figure
 
@@ -100,10 +100,11 @@ def save(figure: Figure, path: Path) -> None:
         plt.close(figure)
 
 
-def _figure(size: tuple[int, int]) -> Figure:
+def new_figure(size: tuple[int, int]) -> Figure:
+    """A white page of `size` pixels (width, height)."""
     return plt.figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI, facecolor="white")
 
 
-def _place_image(figure: Figure, image: np.ndarray, left: int) -> None:
+def place_image(figure: Figure, image: np.ndarray, left: int, bottom: int = 0) -> None:
     """Pixel for pixel: the image is not resampled."""
-    figure.figimage(image, xo=left, yo=0, origin="upper")
+    figure.figimage(image, xo=left, yo=bottom, origin="upper")

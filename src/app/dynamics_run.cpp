@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sundrape/app/analyses.hpp"
+#include "sundrape/app/rest_watch.hpp"
 #include "sundrape/app/solver_choice.hpp"
 #include "sundrape/app/stop_request.hpp"
 #include "sundrape/integrate/dynamics.hpp"
@@ -69,13 +70,14 @@ std::vector<double> as_list(const IntegratorStatistics& s) {
 
 class Watch final : public DynamicsObserver {
  public:
-  Watch(const Case& c, const Integrator& integrator, Recorder& recorder, Progress& progress)
+  Watch(const Case& c, const CaseModel& model, const Integrator& integrator, Recorder& recorder, Progress& progress)
       : case_(c),
         integrator_(integrator),
         recorder_(recorder),
         progress_(progress),
         stop_(c.dynamics.time_limit),
         last_checkpoint_(Clock::now()) {
+    if (c.dynamics.until_rest) rest_.emplace(model, *c.dynamics.until_rest);
     if (recorder.restart()) last_step_size_ = recorder.restart()->step_size;
   }
 
@@ -99,6 +101,7 @@ class Watch final : public DynamicsObserver {
                            {"convergence_failures", since(s.step_solve_failures, solve_failures_)},
                            {"contacts", contact.contacts}});
     last_step_size_ = report.step_size;
+    if (rest_) rest_->step(all);
     if (!checkpoint_written_ ||
         std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() > case_.output.checkpoint_every)
       checkpoint();
@@ -109,8 +112,9 @@ class Watch final : public DynamicsObserver {
           report.time / case_.output.frame_times.back());
   }
 
-  [[nodiscard]] bool wants_to_stop() override { return stop_.wanted(); }
+  [[nodiscard]] bool wants_to_stop() override { return rests() || stop_.wanted(); }
   [[nodiscard]] bool out_of_time() const { return stop_.out_of_time(); }
+  [[nodiscard]] bool rests() const { return rest_ && rest_->rests(); }
 
   void checkpoint() {
     const auto at = dynamics_->last();
@@ -120,9 +124,8 @@ class Watch final : public DynamicsObserver {
     last_checkpoint_ = Clock::now();
   }
 
-  /// Where a failed run ended, to look at; not part of the checkpoint, so that a resumed run has frames at its frame
-  /// times only.
-  void frame_of_failure() {
+  /// Where the run ended between two frame times.
+  void frame_of_the_end() {
     const auto at = dynamics_->last();
     if (at.time > last_frame_) frame(at, dynamics_->audit().at(at));
   }
@@ -136,6 +139,7 @@ class Watch final : public DynamicsObserver {
   StopRequest stop_;
   Clock::time_point last_checkpoint_;
   bool checkpoint_written_ = false;
+  std::optional<RestWatch> rest_;
   double last_step_size_ = 0, last_frame_ = -1;
   long newton_ = 0, linear_ = 0, error_failures_ = 0, solve_failures_ = 0;
 };
@@ -168,7 +172,7 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     impact = std::make_unique<Impact>(*model.contact, model.system->mass().head(model.mesh.nodes()),
                                       *c.contact.restitution, c.contact.restitution_speed);
   const auto integrator = make_integrator(c, model, impact.get(), recorder, progress);
-  Watch watch(c, *integrator, recorder, progress);
+  Watch watch(c, model, *integrator, recorder, progress);
   Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get());
   watch.attach(dynamics);
 
@@ -183,7 +187,11 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     } else {
       how = dynamics.run(0, model.initial, Vector::Zero(model.initial.size()), true);
     }
-    if (how == DynamicsEnd::stopped && watch.out_of_time())
+    if (c.dynamics.until_rest && !watch.rests() && how == DynamicsEnd::reached)
+      recorder.warn("the cloth does not rest at the end: raise dynamics.duration or material.damping.mass");
+    if (watch.rests())
+      recorder.statistic("rests_at_s", dynamics.last().time, "time at which the cloth was found at rest [s]");
+    else if (how == DynamicsEnd::stopped && watch.out_of_time())
       end = {ResultStatus::failed,
              fmt::format(
                  "time limit of {:g} s reached at t = {:.6g} s: continue with --resume, or raise dynamics.time_limit",
@@ -197,8 +205,10 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
   }
   const auto last = dynamics.last();
   if (last.q.allFinite() && last.v.allFinite()) {
+    if (watch.rests()) watch.frame_of_the_end();
     watch.checkpoint();
-    if (failed) watch.frame_of_failure();
+    // not part of the checkpoint, so that a resumed run has frames at its frame times only
+    if (failed) watch.frame_of_the_end();
   }
   record_statistics(since_the_start(integrator->statistics(), recorder.restart()), dynamics.audit().at(last), recorder);
   return end;

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "sundrape/app/check.hpp"
+#include "sundrape/app/crosscheck.hpp"
 #include "sundrape/app/run.hpp"
+#include "sundrape/app/study_run.hpp"
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/compare.hpp"
 #include "sundrape/io/file_error.hpp"
@@ -31,6 +33,8 @@ class CommandLine {
     add_check();
     add_info();
     add_compare();
+    add_study();
+    add_crosscheck();
   }
 
   int main(int argc, char** argv) {
@@ -98,8 +102,45 @@ class CommandLine {
     });
   }
 
+  void add_study() {
+    auto* verb =
+        app_.add_subcommand("study", "Run one case along axes of its keys, and sort where the runs end into drapes");
+    verb->add_option("STUDY", study_.study_file, "study file (TOML)")->required();
+    verb->add_option("-o,--output", study_.folder,
+                     "folder of the results; finished ones in it are used again; default: the study's name");
+    verb->add_option("--jobs", study_.jobs, "runs at a time; default: one a processor")->check(CLI::Range(1, 1024));
+    verb->add_flag("--quiet", quiet_, "print nothing but errors");
+    verb->callback([this] {
+      if (quiet_) study_.verbosity = sundrape::Verbosity::quiet;
+      status_ = sundrape::run_study(study_);
+    });
+  }
+
+  void add_crosscheck() {
+    auto* verb = app_.add_subcommand(
+        "crosscheck", "Run one case by every method that finds equilibria, and say how far apart they end");
+    verb->add_option("CASE", crosscheck_.case_file, "case file (TOML)")->required();
+    verb->add_option("-o,--output", crosscheck_.folder,
+                     "folder of the results; finished ones in it are used again; default: the case's name and "
+                     "-crosscheck");
+    verb->add_option("--set", crosscheck_.sets, set_help)->allow_extra_args(false);
+    verb->add_option("--methods", crosscheck_.methods, "some of them, with commas; default: all")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember(sundrape::crosscheck_method_names()));
+    verb->add_option("--jobs", crosscheck_.jobs, "runs at a time; default: one a processor")
+        ->check(CLI::Range(1, 1024));
+    verb->add_flag("--quiet", quiet_, "print nothing but errors");
+    verb->callback([this] {
+      if (quiet_) crosscheck_.verbosity = sundrape::Verbosity::quiet;
+      status_ = sundrape::run_crosscheck(crosscheck_);
+    });
+  }
+
   CLI::App app_{"sundrape integrates cloth in time as the mechanical system it is", "sundrape"};
   sundrape::RunOptions run_;
+  sundrape::StudyOptions study_;
+  sundrape::CrosscheckOptions crosscheck_;
   std::string a_, b_;
   bool json_ = false, quiet_ = false, verbose_ = false;
   ExitStatus status_ = ExitStatus::done;

@@ -5,11 +5,13 @@
 
 #include <Eigen/Geometry>
 
+#include "sundrape/app/last_shape.hpp"
 #include "sundrape/app/obstacles.hpp"
 #include "sundrape/force/dead_load.hpp"
 #include "sundrape/force/drag.hpp"
 #include "sundrape/force/pressure.hpp"
 #include "sundrape/io/case_error.hpp"
+#include "sundrape/io/file_error.hpp"
 #include "sundrape/mesh/builders.hpp"
 #include "sundrape/mesh/directors.hpp"
 #include "sundrape/mesh/import.hpp"
@@ -41,6 +43,10 @@ QuadMesh build_mesh(const ClothCase& cloth) {
             }
           }},
       cloth.shape);
+}
+
+CaseModel::Placement placement(const Place& place) {
+  return {Eigen::AngleAxisd(place.angle, place.axis.normalized()).matrix(), place.translate};
 }
 
 Vector flatten(const std::vector<Vector3>& positions) {
@@ -188,15 +194,12 @@ double longest_side(const std::vector<Vector3>& positions) {
   return box.sizes().maxCoeff();
 }
 
-/// Whether the rest shape is the wavy one. A path of equilibria starts at rest, where a sheet that was flat would
-/// forget that it was ever moved.
-bool is_wavy_at_rest(const Case& c) { return c.cloth.waviness_at_rest.value_or(c.analysis == Analysis::arc_length); }
-
-/// Relaxation starts from a slightly imperfect sheet: a flat symmetric one ends on a saddle.
-double waviness(const Case& c, double thickness_scale) {
-  if (c.cloth.waviness_amplitude > 0 || c.cloth.waviness_given.value_or(false) || c.analysis != Analysis::relaxation)
-    return c.cloth.waviness_amplitude;
-  return std::min(1e-5, 0.02 * thickness_scale);
+/// Only relaxation from the rest shape has some where the case does not say.
+double waviness(const Case& c) {
+  if (is_wavy_at_rest(c)) return 0;
+  const bool said = c.cloth.waviness_given.value_or(false) || c.cloth.waviness_amplitude > 0;
+  if (said || c.cloth.start || c.analysis != Analysis::relaxation) return c.cloth.waviness_amplitude;
+  return default_waviness(c);
 }
 
 /// Cloth that starts on an obstacle would spring off it, since the contact force sets in above the surface: nodes
@@ -209,6 +212,15 @@ void lay_on_obstacles(const ObstacleContact& contact, double weight_per_area, co
     if (!(std::abs(gap) <= reach) || gap >= rest) continue;
     for (int k = 0; k < 3; ++k)
       if (!supports.position[i][static_cast<std::size_t>(k)]) positions[i][k] += (rest - gap) * normal[k];
+  }
+}
+
+/// Where an earlier result ended.
+ShapeAtRest start_of(const StartCase& start, const QuadMesh& mesh) {
+  try {
+    return last_shape(ResultReader(start.file), mesh);
+  } catch (const FileError& problem) {
+    throw CaseError(start.source, problem.what());
   }
 }
 
@@ -234,10 +246,10 @@ constexpr double director_rate_slack = 100;
 }  // namespace
 
 std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
-  const Eigen::AngleAxisd turn(place.angle, place.axis.normalized());
+  const auto [rotation, translation] = placement(place);
   std::vector<Vector3> placed;
   placed.reserve(rest.size());
-  for (const auto& x : rest) placed.emplace_back(turn * x + place.translate);
+  for (const auto& x : rest) placed.emplace_back(rotation * x + translation);
   return placed;
 }
 
@@ -246,12 +258,17 @@ Vector CaseModel::directors_of(const ConstVectorRef& all) const {
   return all.tail(3 * static_cast<Eigen::Index>(mesh.nodes())) / director_length;
 }
 
+bool is_wavy_at_rest(const Case& c) { return c.cloth.waviness_at_rest.value_or(c.analysis == Analysis::arc_length); }
+
+double default_waviness(const Case& c) { return std::min(1e-5, 0.02 * c.fabric.thickness); }
+
 CaseModel build_model(const Case& c) {
   CaseModel model;
   model.mesh = build_mesh(c.cloth);
   if (is_wavy_at_rest(c))
     model.mesh.reference = wavy(model.mesh, model.mesh.reference, c.cloth.waviness_amplitude, c.cloth.waviness_seed);
   model.size = longest_side(model.mesh.reference);
+  model.placement = placement(c.cloth.place);
   const auto placed = place(model.mesh.reference, c.cloth.place);
   const auto threads = find_threads(model.mesh);
   auto supports = support(c, model, placed);
@@ -272,20 +289,26 @@ CaseModel build_model(const Case& c) {
   if (c.fabric.damping.mass > 0) sheet.terms.push_back(std::make_unique<Drag>(sheet.mass, c.fabric.damping.mass));
   add_contact(c, model, sheet.terms);
 
-  const double amplitude = is_wavy_at_rest(c) ? 0 : waviness(c, c.fabric.thickness);
-  auto start = wavy(model.mesh, placed, amplitude, c.cloth.waviness_seed);
+  const auto earlier = c.cloth.start ? start_of(*c.cloth.start, model.mesh) : ShapeAtRest{placed, {}};
+  auto start = wavy(model.mesh, earlier.positions, waviness(c), c.cloth.waviness_seed);
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
-  if (model.contact != nullptr)
+  if (model.contact != nullptr && !c.cloth.start)
     lay_on_obstacles(*model.contact, first_share(c) * c.fabric.area_density * model.gravity, supports, start);
   auto points = start;
   if (model.has_directors()) {
-    const auto carried = carried_directors(model.mesh, sheet.directors, placed, start);
+    const auto carried = earlier.directors.empty()
+                             ? carried_directors(model.mesh, sheet.directors, placed, start)
+                             : carried_directors(model.mesh, earlier.directors, earlier.positions, start);
     for (std::size_t i = 0; i < carried.size(); ++i) {
       const auto& held = supports.director[i];
-      const bool free = !held[0] && !held[1] && !held[2];
-      points.emplace_back(model.director_length * (free ? carried[i] : sheet.directors[i]));
+      Vector3 director = carried[i];
+      const bool any_held = held[0] || held[1] || held[2];
+      for (std::size_t k = 0; k < 3; ++k)  // of a sheet at its start a director that is held at all stands as placed
+        if (held[k] || (any_held && !c.cloth.start))
+          director[static_cast<int>(k)] = sheet.directors[i][static_cast<int>(k)];
+      points.emplace_back(model.director_length * director);
     }
   }
   model.initial = flatten(points);

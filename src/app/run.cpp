@@ -1,6 +1,5 @@
 #include "sundrape/app/run.hpp"
 
-#include <fstream>
 #include <numbers>
 #include <stdexcept>
 #include <system_error>
@@ -14,6 +13,8 @@
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/case_reader.hpp"
 #include "sundrape/io/file_error.hpp"
+
+#include "write_text.hpp"
 
 namespace sundrape {
 namespace {
@@ -72,12 +73,6 @@ void report_extremes(const Case& c, Recorder& recorder) {
     recorder.warn(
         fmt::format("a thread folds by {:.0f}° from one edge to the next: the mesh is too coarse for this fold",
                     e.sharpest_bend * 180 / std::numbers::pi));
-}
-
-void write_summary(const std::filesystem::path& file, const nlohmann::json& summary) {
-  std::ofstream out(file);
-  out << summary.dump(2) << '\n';
-  if (!out.flush()) throw FileError(fmt::format("{}: cannot be written", file.string()));
 }
 
 std::string report(const nlohmann::json& s, const std::filesystem::path& output) {
@@ -158,7 +153,7 @@ ExitStatus run_case(const RunOptions& options) {
     summary = recorder.summary(to_string(end.status), end.message);
     progress.say(report(summary, output));
   }
-  if (options.summary) write_summary(*options.summary, summary);
+  if (options.summary) write_text(*options.summary, summary.dump(2) + "\n");
   if (end.status != ResultStatus::done) fmt::print(stderr, "{}: {}\n", options.case_file.string(), end.message);
   if (end.status == ResultStatus::interrupted) return ExitStatus::interrupted;
   return end.status == ResultStatus::done ? ExitStatus::done : ExitStatus::failed;

@@ -43,6 +43,7 @@ DynamicsCase resolve_dynamics(const CaseSection& section) {
   dynamics.first_step = section.maybe_number("first_step");
   dynamics.linear_solver = section.text("linear_solver");
   dynamics.time_limit = section.maybe_number("time_limit");
+  dynamics.until_rest = section.maybe_number("until_rest");
   return dynamics;
 }
 

@@ -16,11 +16,15 @@ AnnulusShape resolve_annulus(const CaseSection& cloth) {
   return shape;
 }
 
-MeshShape resolve_mesh(const CaseSection& cloth, const std::filesystem::path& folder) {
-  const std::filesystem::path file = std::filesystem::absolute(folder / cloth.text("file")).lexically_normal();
+std::filesystem::path file_beside(const CaseSection& cloth, const char* key, const std::filesystem::path& folder) {
+  auto file = std::filesystem::absolute(folder / cloth.text(key)).lexically_normal();
   if (!std::filesystem::is_regular_file(file))
-    cloth.fail("file", fmt::format("'{}' is not there (sought beside the case file)", cloth.text("file")));
-  return {file, cloth.unit("units"), cloth.source("file")};
+    cloth.fail(key, fmt::format("'{}' is not there (sought beside the case file)", cloth.text(key)));
+  return file;
+}
+
+MeshShape resolve_mesh(const CaseSection& cloth, const std::filesystem::path& folder) {
+  return {file_beside(cloth, "file", folder), cloth.unit("units"), cloth.source("file")};
 }
 
 }  // namespace
@@ -51,6 +55,7 @@ ClothCase resolve_cloth(const CaseSection& cloth, const std::filesystem::path& f
     resolved.shape = resolve_mesh(cloth, folder);
   }
   resolved.place = resolve_place(cloth.table("place"));
+  if (cloth.has("start")) resolved.start = {file_beside(cloth, "start", folder), cloth.source("start")};
   if (cloth.has("waviness")) {
     const CaseSection waviness = cloth.table("waviness");
     resolved.waviness_given = true;

@@ -11,6 +11,9 @@ namespace sundrape {
 [[nodiscard]] std::vector<Section> scene_keys();
 [[nodiscard]] std::vector<Section> analysis_keys();
 
+/// All of study_key_table().
+[[nodiscard]] std::vector<Section> study_keys();
+
 namespace keys {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -84,6 +84,12 @@ Section dynamics() {
                .range = positive(),
                .default_note = "chosen by the integrator",
                .doc = "Step to start with."},
+              {.name = "until_rest",
+               .range = above_to(0, 0.1),
+               .default_note = "the whole duration",
+               .doc = "Ends the motion once the cloth rests: its kinetic energy has stayed below this part of weight × "
+                      "L for "
+                      "the time 2π√(L/g), and the out-of-balance force is below 0.01 of the external one."},
               linear_solver(),
               time_limit(),
           },

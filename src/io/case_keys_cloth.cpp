@@ -79,6 +79,12 @@ Section cloth() {
                .kinds = {"mesh"},
                .doc = "Unit of the file's coordinates."},
               {.name = "place", .type = KeyType::table, .holds = "place", .doc = "Rest position to initial position."},
+              {.name = "start",
+               .type = KeyType::file,
+               .default_note = "the rest shape, placed",
+               .doc = "A result on the same mesh: the cloth starts at rest where its last frame ends, but for what is "
+                      "held. "
+                      "Waviness comes on top if it is asked for."},
               {.name = "waviness",
                .type = KeyType::table,
                .holds = "waviness",

@@ -1,28 +1,16 @@
 #include "sundrape/io/case_reader.hpp"
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <sstream>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "case_choices.hpp"
 #include "case_document.hpp"
 #include "case_parts.hpp"
+#include "read_text.hpp"
 
 namespace sundrape {
 namespace {
-
-std::string read_file(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file))
-    throw std::system_error(std::make_error_code(std::errc::is_a_directory), file.string());
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), file.string());
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 /// The cloth as a table; [[cloth]] with one entry has become one already.
 CaseSection cloth_section(const CaseSection& top, const toml::table& root) {
@@ -81,7 +69,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
 }
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& sets) {
-  return parse_case(read_file(file), file, sets);
+  return parse_case(read_text(file), file, sets);
 }
 
 }  // namespace sundrape

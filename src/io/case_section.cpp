@@ -33,8 +33,8 @@ std::string echo(const toml::node& node) {
 
 }  // namespace
 
-ReadingContext::ReadingContext() {
-  for (const auto& section : key_table())
+ReadingContext::ReadingContext(const std::vector<Section>& table) : table_(&table) {
+  for (const auto& section : table)
     for (const auto& key : section.keys)
       if (!key.default_value.empty())
         defaults_.emplace(&key, parse_toml("value = " + key.default_value, "the default of " + key.name));
@@ -243,7 +243,7 @@ double CaseSection::unit(std::string_view name) const {
 CaseSection CaseSection::table(std::string_view name) const {
   const toml::node* node = given(name);
   if (node && !node->is_table()) fail(name, fmt::format("a table is expected, not {}", echo(*node)));
-  return {*context_, key_section(key(name).holds), node ? node->as_table() : nullptr, source(name)};
+  return {*context_, key_section(key(name).holds, context_->table()), node ? node->as_table() : nullptr, source(name)};
 }
 
 std::vector<CaseSection> CaseSection::tables(std::string_view name) const {
@@ -255,7 +255,7 @@ std::vector<CaseSection> CaseSection::tables(std::string_view name) const {
   for (const auto& entry : *node->as_array()) {
     const std::string where = fmt::format("{}.{}", path(name), all.size());
     if (!entry.is_table()) fail_at(entry, source_, where, fmt::format("a table is expected, not {}", echo(entry)));
-    all.emplace_back(*context_, key_section(key(name).holds), entry.as_table(),
+    all.emplace_back(*context_, key_section(key(name).holds, context_->table()), entry.as_table(),
                      source_line(entry.source(), where, source_));
   }
   return all;

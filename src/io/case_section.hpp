@@ -15,12 +15,15 @@ namespace sundrape {
 /// What all sections of one reading share.
 class ReadingContext {
  public:
-  ReadingContext();
+  /// @param table  the keys of the kind of file that is read; must outlive the context
+  explicit ReadingContext(const std::vector<Section>& table = key_table());
   [[nodiscard]] const Units& units() const { return units_; }
+  [[nodiscard]] const std::vector<Section>& table() const { return *table_; }
   /// Null if the key has no constant default.
   [[nodiscard]] const toml::node* default_of(const Key& key) const;
 
  private:
+  const std::vector<Section>* table_;
   Units units_;
   std::map<const Key*, toml::table> defaults_;
 };
@@ -50,6 +53,9 @@ class CaseSection {
   [[nodiscard]] bool boolean(std::string_view name) const;
   [[nodiscard]] std::string text(std::string_view name) const;  // also of a choice, a name, a file
   [[nodiscard]] std::vector<std::string> choices(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
+  /// The entries of a list as TOML text; nothing if it is a range: a table, which table() reads.
+  [[nodiscard]] std::optional<std::vector<std::string>> listed_values(std::string_view name) const;
   [[nodiscard]] double unit(std::string_view name) const;    // what one of it is in SI
   [[nodiscard]] InBox corners(std::string_view name) const;  // low and high, in whichever order given
   [[nodiscard]] Selector selector(std::string_view name) const;

@@ -13,9 +13,9 @@ namespace sundrape {
 namespace {
 
 /// How one would write the table that has the key, or nothing if no section or several have it.
-std::string home_of(std::string_view name) {
+std::string home_of(std::string_view name, const std::vector<Section>& table) {
   std::string home;
-  for (const auto& section : key_table())
+  for (const auto& section : table)
     if (std::any_of(section.keys.begin(), section.keys.end(), [&](const Key& key) { return key.name == name; })) {
       if (!home.empty()) return {};
       home = section.name.empty() ? "the top level" : section.name;
@@ -24,17 +24,17 @@ std::string home_of(std::string_view name) {
 }
 
 /// The nearest name that any section has.
-std::string nearest_anywhere(std::string_view name) {
+std::string nearest_anywhere(std::string_view name, const std::vector<Section>& table) {
   std::vector<std::string> all;
-  for (const auto& section : key_table())
+  for (const auto& section : table)
     for (const auto& key : section.keys) all.push_back(key.name);
   return nearest_name(name, all);
 }
 
-std::string advice(std::string_view name, const std::vector<std::string>& accepted) {
+std::string advice(std::string_view name, const std::vector<std::string>& accepted, const std::vector<Section>& table) {
   if (const auto near = nearest_name(name, accepted); !near.empty()) return fmt::format(", did you mean '{}'?", near);
-  const auto elsewhere = nearest_anywhere(name);
-  const auto home = home_of(elsewhere);
+  const auto elsewhere = nearest_anywhere(name, table);
+  const auto home = home_of(elsewhere, table);
   if (elsewhere == name && !home.empty()) return fmt::format(" here; it belongs to {}", home);
   if (!home.empty()) return fmt::format(", did you mean '{}' of {}?", elsewhere, home);
   return fmt::format("; accepted: {}", fmt::join(accepted, ", "));
@@ -73,7 +73,7 @@ void CaseSection::check_known(const toml::key& name, const std::string& kind) co
   if (!kinds.empty())
     throw CaseError(here, fmt::format("belongs to {} = {}, not to '{}', which takes: {}", section_->kind_key,
                                       fmt::join(kinds, ", "), kind, fmt::join(section_->names(kind), ", ")));
-  throw CaseError(here, "unknown key" + advice(written, section_->names(kind)));
+  throw CaseError(here, "unknown key" + advice(written, section_->names(kind), context_->table()));
 }
 
 void CaseSection::check_value(const Key& key) const {
@@ -119,6 +119,12 @@ void CaseSection::check_value(const Key& key) const {
       break;
     case KeyType::tables:
       for (const auto& entry : tables(key.name)) entry.check();
+      break;
+    case KeyType::texts:
+      (void)texts(key.name);
+      break;
+    case KeyType::values:
+      if (!listed_values(key.name)) table(key.name).check();
       break;
   }
 }

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "result_rest.hpp"
+#include "sundrape/io/mesh_difference.hpp"
 
 namespace sundrape {
 namespace {

@@ -46,6 +46,10 @@ void describe_cloth(CaseDescription& out, const ClothCase& cloth) {
     out.verbatim("units", fmt::format("{:.10g} m", mesh->unit));
   }
   describe_place(out, "cloth", cloth.place);
+  if (cloth.start) {
+    out.enter("cloth", "cloth");
+    out.text("start", cloth.start->file.string());
+  }
   if (cloth.waviness_given.value_or(false)) {
     out.enter("waviness", "cloth.waviness");
     out.number("amplitude", cloth.waviness_amplitude);

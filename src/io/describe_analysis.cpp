@@ -17,6 +17,7 @@ void describe_dynamics(CaseDescription& out, const DynamicsCase& dynamics) {
   out.maybe_number("max_step", dynamics.max_step);
   out.maybe_number("first_step", dynamics.first_step);
   out.text("linear_solver", dynamics.linear_solver);
+  out.maybe_number("until_rest", dynamics.until_rest);
   out.maybe_number("time_limit", dynamics.time_limit);
 }
 

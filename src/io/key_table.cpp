@@ -43,8 +43,13 @@ const std::vector<Section>& key_table() {
   return table;
 }
 
-const Section& key_section(std::string_view name) {
-  for (const auto& section : key_table())
+const std::vector<Section>& study_key_table() {
+  static const std::vector<Section> table = study_keys();
+  return table;
+}
+
+const Section& key_section(std::string_view name, const std::vector<Section>& table) {
+  for (const auto& section : table)
     if (section.name == name) return section;
   throw std::invalid_argument(fmt::format("the key table has no section '{}'", name));
 }

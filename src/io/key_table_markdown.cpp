@@ -48,6 +48,10 @@ std::string type_text(const Key& key) {
       return "table";
     case KeyType::tables:
       return "tables";
+    case KeyType::texts:
+      return "list of strings";
+    case KeyType::values:
+      return "list or range";
   }
   return {};
 }
@@ -77,9 +81,9 @@ std::string row(const Section& section, const Key& key) {
 
 }  // namespace
 
-std::string key_table_markdown() {
+std::string key_table_markdown(const std::vector<Section>& table) {
   std::string text;
-  for (const auto& section : key_table()) {
+  for (const auto& section : table) {
     text += fmt::format("### {}\n\n", section.heading);
     if (!section.doc.empty()) text += section.doc + "\n\n";
     text += "| Key | Type | Default | Accepted | Meaning |\n|---|---|---|---|---|\n";

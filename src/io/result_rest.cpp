@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sundrape/io/mesh_difference.hpp"
 #include "sundrape/io/result_layout.hpp"
 
 namespace sundrape {
@@ -89,7 +90,7 @@ void ResultRest::write(hdf5::File& file) const {
   if (checkpoint && !finished) checkpoint_slots::create(file, *checkpoint);
 }
 
-std::string mesh_difference(const QuadMesh& a, const QuadMesh& b) {
+std::string mesh_difference(const QuadMesh& a, const QuadMesh& b, double tolerance) {
   if (a.nodes() != b.nodes()) return fmt::format("the meshes have {} and {} nodes", a.nodes(), b.nodes());
   if (a.quads != b.quads) return "the meshes have different quads";
   Vector3 low = Vector3::Constant(1e300), high = -low;
@@ -99,7 +100,7 @@ std::string mesh_difference(const QuadMesh& a, const QuadMesh& b) {
     high = high.cwiseMax(a.reference[i]);
     largest = std::max(largest, (a.reference[i] - b.reference[i]).norm());
   }
-  if (a.nodes() > 0 && !(largest <= 1e-9 * (high - low).norm()))
+  if (a.nodes() > 0 && !(largest <= tolerance * (high - low).norm()))
     return fmt::format("the rest positions differ by up to {:.3g} m", largest);
   return {};
 }

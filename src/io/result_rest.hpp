@@ -24,7 +24,4 @@ struct ResultRest {
   void write_status(hdf5::File& file) const;
 };
 
-/// What makes two meshes different in nodes, quads or rest positions (1e-9 of the diagonal); empty if nothing does.
-[[nodiscard]] std::string mesh_difference(const QuadMesh& a, const QuadMesh& b);
-
 }  // namespace sundrape

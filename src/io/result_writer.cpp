@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sundrape/io/growing_file.hpp"
+#include "sundrape/io/mesh_difference.hpp"
 #include "sundrape/io/result_layout.hpp"
 #include "sundrape/io/result_reader.hpp"
 

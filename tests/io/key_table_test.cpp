@@ -14,7 +14,7 @@
 namespace sundrape {
 namespace {
 
-const std::string guide = std::string(SUNDRAPE_SOURCE_DIR) + "/docs/case-file.md";
+const std::string docs = std::string(SUNDRAPE_SOURCE_DIR) + "/docs/";
 const std::string begin_mark = "<!-- key table: begin; written by the tests, see below -->\n";
 const std::string end_mark = "<!-- key table: end -->\n";
 
@@ -23,44 +23,51 @@ std::string read(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-TEST(KeyTable, IsTheReferenceInTheDocs) {
-  std::string text = read(guide);
+void expect_reference(const std::string& guide, const std::vector<Section>& table) {
+  std::string text = read(docs + guide);
   const auto begin = text.find(begin_mark);
   const auto end = text.find(end_mark);
-  ASSERT_NE(begin, std::string::npos);
-  ASSERT_NE(end, std::string::npos);
+  ASSERT_NE(begin, std::string::npos) << guide;
+  ASSERT_NE(end, std::string::npos) << guide;
   const auto from = begin + begin_mark.size();
-  const auto reference = fmt::format("\n{}", key_table_markdown());
+  const auto reference = fmt::format("\n{}", key_table_markdown(table));
   if (std::getenv("SUNDRAPE_UPDATE_DOCS") != nullptr) {
     text.replace(from, end - from, reference);
-    std::ofstream(guide) << text;
+    std::ofstream(docs + guide) << text;
     return;
   }
   EXPECT_EQ(text.substr(from, end - from), reference)
-      << "run the tests once with SUNDRAPE_UPDATE_DOCS=1 to bring docs/case-file.md up to date";
+      << "run the tests once with SUNDRAPE_UPDATE_DOCS=1 to bring docs/" << guide << " up to date";
+}
+
+TEST(KeyTable, IsTheReferenceInTheDocs) {
+  expect_reference("case-file.md", key_table());
+  expect_reference("branches.md", study_key_table());
 }
 
 TEST(KeyTable, SaysSomethingOfEveryKeyAndNamesItOnceAKind) {
-  for (const auto& section : key_table()) {
-    std::set<std::string> seen;
-    for (const auto& key : section.keys) {
-      EXPECT_FALSE(key.doc.empty()) << section.name << '.' << key.name;
-      for (const auto& kind : key.kinds.empty() ? std::vector<std::string>{""} : key.kinds)
-        EXPECT_TRUE(seen.insert(kind + '/' + key.name).second) << section.name << '.' << key.name << " twice";
+  for (const auto* table : {&key_table(), &study_key_table()})
+    for (const auto& section : *table) {
+      std::set<std::string> seen;
+      for (const auto& key : section.keys) {
+        EXPECT_FALSE(key.doc.empty()) << section.name << '.' << key.name;
+        for (const auto& kind : key.kinds.empty() ? std::vector<std::string>{""} : key.kinds)
+          EXPECT_TRUE(seen.insert(kind + '/' + key.name).second) << section.name << '.' << key.name << " twice";
+      }
     }
-  }
 }
 
 TEST(KeyTable, HasASectionForEveryTableAndAUnitForEveryQuantity) {
   const Units units;
-  for (const auto& section : key_table())
-    for (const auto& key : section.keys) {
-      if (!key.holds.empty()) {
-        EXPECT_NO_THROW((void)key_section(key.holds)) << key.holds;
+  for (const auto* table : {&key_table(), &study_key_table()})
+    for (const auto& section : *table)
+      for (const auto& key : section.keys) {
+        if (!key.holds.empty()) {
+          EXPECT_NO_THROW((void)key_section(key.holds, *table)) << key.holds;
+        }
+        EXPECT_NO_THROW((void)units.parse_quantity(key.unit == "1" ? "1" : "1 " + key.unit, key.unit)) << key.unit;
+        EXPECT_EQ(units.dimension(key.unit).find("of another dimension"), std::string::npos) << key.unit;
       }
-      EXPECT_NO_THROW((void)units.parse_quantity(key.unit == "1" ? "1" : "1 " + key.unit, key.unit)) << key.unit;
-      EXPECT_EQ(units.dimension(key.unit).find("of another dimension"), std::string::npos) << key.unit;
-    }
   EXPECT_THROW((void)key_section("nothing"), std::invalid_argument);
 }
 

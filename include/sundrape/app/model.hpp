@@ -23,7 +23,14 @@ struct CaseModel {
     std::vector<int> nodes;
   };
 
+  /// Rest shape to initial position, x = R X + t.
+  struct Placement {
+    Matrix3 rotation = Matrix3::Identity();
+    Vector3 translation = Vector3::Zero();  // [m]
+  };
+
   QuadMesh mesh;
+  Placement placement;
   std::unique_ptr<System> system;
   Vector initial;  // placed and wavy positions, then directors times ℓ, 3P [m]
   EdgeStrains edge_strains;
@@ -57,6 +64,13 @@ struct CaseModel {
 
 /// Where points of the rest shape stand once the sheet is placed [m]: what selectors look at.
 [[nodiscard]] std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place);
+
+/// Whether a case's waviness is one of the rest shape, rather than of the start alone.
+[[nodiscard]] bool is_wavy_at_rest(const Case& c);
+
+/// Amplitude of the waviness that relaxation starts from unless the case says otherwise [m]: a flat symmetric sheet
+/// ends on a saddle.
+[[nodiscard]] double default_waviness(const Case& c);
 
 /// What the cloth exerts on the nodes of a set: what nothing in the system balances.
 struct Reaction {

@@ -56,9 +56,16 @@ struct MeshShape {
   SourceLine source;
 };
 
+// A result whose last frame is where the cloth starts; absolute path
+struct StartCase {
+  std::filesystem::path file;
+  SourceLine source;
+};
+
 struct ClothCase {
   std::variant<RectangleShape, DiscShape, AnnulusShape, MeshShape> shape;
   Place place;
+  std::optional<StartCase> start;      // instead of the placed rest shape
   double waviness_amplitude = 0;       // [m], out of plane, uniform in ± amplitude at every node
   std::optional<bool> waviness_given;  // whether the case says so itself
   unsigned waviness_seed = 1;
@@ -180,6 +187,7 @@ struct DynamicsCase {
   std::optional<double> step, max_step, first_step;  // [s]
   std::string linear_solver = "auto";                // auto | cg | cholesky | lu
   std::optional<double> time_limit;                  // wall clock [s]
+  std::optional<double> until_rest;                  // kinetic energy over weight times size below which it rests
 };
 
 struct RelaxationCase {

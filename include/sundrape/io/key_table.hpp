@@ -24,6 +24,8 @@ enum class KeyType {
   selector,   // a way to pick nodes: a set's name or a table as in the section `selector`
   table,      // a table with the keys of the section `holds`
   tables,     // an array of such tables
+  texts,      // a list of strings
+  values,     // a list of anything, or a table with the keys of the section `holds`
 };
 
 /// Accepted numbers, prints as "[0, 0.5)".
@@ -77,10 +79,13 @@ struct Section {
 /// Every key that a case file may have; the first section is the file's top level.
 [[nodiscard]] const std::vector<Section>& key_table();
 
-/// @throws std::invalid_argument  no such section
-[[nodiscard]] const Section& key_section(std::string_view name);
+/// Every key that a study file may have; the first section is the file's top level.
+[[nodiscard]] const std::vector<Section>& study_key_table();
 
-/// The table as the reference part of docs/case-file.md.
-[[nodiscard]] std::string key_table_markdown();
+/// @throws std::invalid_argument  no such section
+[[nodiscard]] const Section& key_section(std::string_view name, const std::vector<Section>& table = key_table());
+
+/// A table as the reference part of its page in docs/.
+[[nodiscard]] std::string key_table_markdown(const std::vector<Section>& table = key_table());
 
 }  // namespace sundrape

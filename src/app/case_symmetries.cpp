@@ -1,0 +1,186 @@
+#include "sundrape/app/case_symmetries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "sundrape/mesh/directors.hpp"
+#include "sundrape/mesh/symmetries.hpp"
+#include "sundrape/system/equivariance.hpp"
+
+namespace sundrape {
+namespace {
+
+constexpr double force_tolerance = 1e-6;  // of a kind's force: round-off leaves 1e-12, rounded meshes 1e-7
+
+class Random {
+ public:
+  /// Uniform in ± 1, the same on every platform.
+  double operator()() { return 2 * static_cast<double>(bits_() >> 11U) * 0x1p-53 - 1; }
+  Vector3 vector() {
+    const double x = (*this)(), y = (*this)();
+    return {x, y, (*this)()};
+  }
+
+ private:
+  std::mt19937_64 bits_{20};
+};
+
+/// Every point displaced at random; directors, which are about as long as `scale` of a mesh, by less.
+Vector shaken(const CaseModel& model, Vector q, double amplitude, Random& random) {
+  for (int p = 0; p < static_cast<int>(q.size() / 3); ++p) {
+    const bool direction = p >= model.mesh.nodes();
+    point(q, p) += (direction ? std::min(amplitude, 0.3 * model.director_length) : amplitude) * random.vector();
+  }
+  return q;
+}
+
+/// The sheet in long waves of the size of a quarter of itself, so that it is moved far but stretched little.
+Vector waved(const CaseModel& model, Vector q, Random& random) {
+  for (int wave = 0; wave < 4; ++wave) {
+    const Vector3 along = 0.06 * model.size * random.vector(), number = 6 / model.size * random.vector();
+    const double phase = 3 * random();
+    for (int i = 0; i < model.mesh.nodes(); ++i)
+      point(q, i) += std::sin(number.dot(model.mesh.reference[static_cast<std::size_t>(i)]) + phase) * along;
+  }
+  return q;
+}
+
+std::vector<Vector> trial_states(const CaseModel& model, std::span<const Vector> visited) {
+  Random random;
+  const double size = model.size;
+  std::vector<Vector> states{shaken(model, model.initial, 1e-3 * size, random),
+                             shaken(model, waved(model, model.initial, random), 1e-3 * size, random),
+                             shaken(model, model.initial, 0.2 * size, random)};
+  // Not as they are: where a kind of force is all but absent, its round-off would be all that is compared.
+  for (const auto& state : visited) states.push_back(shaken(model, state, 1e-3 * size, random));
+  return states;
+}
+
+/// A symmetry of the rest shape as a map of the placed sheet's points.
+PointMap placed(const MeshSymmetry& symmetry, const CaseModel& model, const std::vector<Vector3>& normals) {
+  const int n = model.mesh.nodes();
+  const Matrix3& turn = model.placement.rotation;
+  PointMap map;
+  map.rotation = turn * symmetry.rotation * turn.transpose();
+  map.centre = turn * centre_of_nodes(model.mesh) + model.placement.translation;
+  map.image = symmetry.image;
+  map.places = n;
+  const Vector3 normal = symmetry.rotation * normals.front();
+  map.side = normal.dot(normals[static_cast<std::size_t>(symmetry.image.front())]) < 0 ? -1 : 1;
+  if (model.has_directors())
+    for (int i = 0; i < n; ++i) map.image.push_back(n + symmetry.image[static_cast<std::size_t>(i)]);
+  return map;
+}
+
+PointMap rigid(const CaseModel& model, const Matrix3& rotation, const Vector3& centre) {
+  PointMap map{.rotation = rotation, .centre = centre, .image = {}, .places = model.mesh.nodes()};
+  map.image.resize(static_cast<std::size_t>(model.initial.size() / 3));
+  std::iota(map.image.begin(), map.image.end(), 0);
+  return map;
+}
+
+bool is_symmetry(const CaseModel& model, const PointMap& map, const std::vector<Vector>& trials) {
+  return maps_supports(model.system->unknowns(), map, model.initial, 1e-5 * model.size) &&
+         std::ranges::all_of(
+             trials, [&](const Vector& q) { return equivariance_defect(*model.system, map, q) <= force_tolerance; });
+}
+
+/// Forces of obstacles, the only ones that tell places apart, 3P [N].
+Vector contact_forces(const CaseModel& model, const Vector& q) {
+  const Vector still = Vector::Zero(q.size());
+  Vector forces = still;
+  for (const auto& term : model.system->terms())
+    if (term->kind() == EnergyKind::contact) term->add_force({0, q, still}, forces);
+  return forces;
+}
+
+Vector slid(const CaseModel& model, Vector q, const Vector3& by) {
+  for (int i = 0; i < model.mesh.nodes(); ++i) point(q, i) += by;
+  return q;
+}
+
+/// Σ over trials of (∂f/∂s)ᵀ (∂f/∂s) / |f|², s = (x, y) over the sheet's size, and what holds the sheet in x and y.
+Eigen::Matrix2d resistance(const CaseModel& model, const std::vector<Vector>& trials) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  constexpr double step = 1e-9;  // over the size: within the contact law's reach so little that forces change linearly
+  for (const auto& q : trials) {
+    const Vector here = contact_forces(model, q);
+    if (here.norm() == 0) continue;
+    Eigen::MatrixX2d change(q.size(), 2);
+    for (int k = 0; k < 2; ++k)
+      change.col(k) =
+          (contact_forces(model, slid(model, q, step * model.size * Vector3::Unit(k))) - here) / (step * here.norm());
+    sum += change.transpose() * change;
+  }
+  for (int p = 0; p < model.mesh.nodes(); ++p)
+    for (int k = 0; k < 2; ++k)
+      if (model.system->unknowns().is_held(p, k)) sum(k, k) += 1e12;
+  return sum;
+}
+
+/// Directions in which neither an obstacle nor a support minds a slide: null vectors of the resistance.
+std::vector<Vector3> neutral_slides(const CaseModel& model, const std::vector<Vector>& trials) {
+  constexpr double tolerance = 1e-4;  // differences are as exact as that
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(resistance(model, trials));
+  std::vector<Vector3> slides;
+  for (int k = 0; k < 2; ++k) {
+    if (modes.eigenvalues()[k] > tolerance * tolerance * modes.eigenvalues()[1]) continue;
+    const Vector3 along(modes.eigenvectors()(0, k), modes.eigenvectors()(1, k), 0);
+    const bool neutral = std::ranges::all_of(trials, [&](const Vector& q) {
+      const Vector here = contact_forces(model, q);
+      return (contact_forces(model, slid(model, q, 1e-3 * model.size * along)) - here).norm() <=
+             tolerance * here.norm();
+    });
+    if (neutral) slides.push_back(along);
+  }
+  return slides;
+}
+
+/// Where an axis could be that nothing minds a turn about: the sheet's middle, an obstacle's, a support's.
+std::vector<Vector3> possible_pivots(const CaseModel& model) {
+  std::vector<Vector3> pivots{model.placement.rotation * centre_of_nodes(model.mesh) + model.placement.translation,
+                              Vector3::Zero()};
+  for (const auto& obstacle : model.obstacles) pivots.push_back(obstacle.position);
+  for (const auto& set : model.reactions) {
+    Vector3 mean = Vector3::Zero();
+    for (const int n : set.nodes) mean += point(model.initial, n) / static_cast<double>(set.nodes.size());
+    pivots.push_back(mean);
+  }
+  return pivots;
+}
+
+std::optional<Vector3> neutral_pivot(const CaseModel& model, const std::vector<Vector>& trials) {
+  // Two turns without a common fraction: what both leave alone every turn does.
+  for (const auto& pivot : possible_pivots(model)) {
+    const auto neutral = [&](double angle) {
+      return is_symmetry(model, rigid(model, Eigen::AngleAxisd(angle, Vector3::UnitZ()).matrix(), pivot), trials);
+    };
+    if (neutral(1e-2) && neutral(1.0)) return pivot;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+CaseSymmetries find_case_symmetries(const CaseModel& model, std::span<const Vector> visited) {
+  const auto trials = trial_states(model, visited);
+  const auto normals = rest_directors(model.mesh);
+  CaseSymmetries found;
+  for (const auto& symmetry : mesh_symmetries(model.mesh)) {
+    auto map = placed(symmetry, model, normals);
+    // The identity holds whatever round-off says.
+    if (found.maps.empty() || is_symmetry(model, map, trials)) found.maps.push_back(std::move(map));
+  }
+  found.neutral.slides = neutral_slides(model, trials);
+  found.neutral.pivot = neutral_pivot(model, trials);
+  return found;
+}
+
+}  // namespace sundrape

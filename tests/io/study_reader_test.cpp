@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include "sundrape/io/case_error.hpp"
+#include "sundrape/io/study.hpp"
+
+namespace sundrape {
+namespace {
+
+const std::string beside = std::string(SUNDRAPE_SOURCE_DIR) + "/cases/STUDY.toml";
+const std::string head = "case = \"tablecloth_static.toml\"\n";
+
+Study study_of(const std::string& text) { return parse_study(head + text, beside); }
+
+std::vector<std::string> values_of(const std::string& values) {
+  return study_of("[[axis]]\nkey = \"cloth.waviness.seed\"\nvalues = " + values + "\n").axes.at(0).values;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(Study, TakesListsAsTheyStandAndRangesByStepOrCount) {
+  EXPECT_EQ(values_of("[1, 2, 5]"), (Texts{"1", "2", "5"}));
+  EXPECT_EQ(values_of("{ from = 1, to = 4 }"), (Texts{"1", "2", "3", "4"}));
+  EXPECT_EQ(values_of("{ from = 0, to = 1, step = 0.4 }"), (Texts{"0", "0.4", "0.8"}));
+  EXPECT_EQ(values_of("{ from = 0, to = 0.3, step = 0.1 }"), (Texts{"0", "0.1", "0.2", "0.3"}));  // despite round-off
+  EXPECT_EQ(values_of("{ from = 1, to = 2, count = 3, unit = \"mm\" }"), (Texts{"\"1 mm\"", "\"1.5 mm\"", "\"2 mm\""}));
+  EXPECT_EQ(values_of("{ from = 0.01, to = 1, count = 3, spacing = \"log\" }"), (Texts{"0.01", "0.1", "1"}));
+  EXPECT_EQ(values_of("{ from = 2, to = 1, count = 2 }"), (Texts{"2", "1"}));
+}
+
+TEST(Study, IsTheProductOfItsAxesWithTheLastOneFastest) {
+  const auto study = study_of(
+      "title = \"T\"\nset = [\"relaxation.tolerance=1e-7\"]\n[[axis]]\nkey = \"material.poisson\"\nvalues = [0, 0.3]\n"
+      "[[axis]]\nkey = \"cloth.waviness.seed\"\nvalues = [7, 8, 9]\n");
+  EXPECT_EQ(study.runs(), 6U);
+  EXPECT_EQ(study.combination(4), (std::vector<std::size_t>{1, 1}));
+  EXPECT_EQ(study.settings(4), (Texts{"relaxation.tolerance=1e-7", "material.poisson=0.3", "cloth.waviness.seed=8"}));
+  EXPECT_EQ(study.same_shape, 0.01);
+}
+
+TEST(Study, GroupsByAxesThatChangeTheCaseUnlessToldOtherwise) {
+  const std::string axes =
+      "[[axis]]\nkey = \"cloth.waviness.seed\"\nvalues = [1, 2]\n[[axis]]\nkey = \"material.poisson\"\nvalues = [0, "
+      "0.3]\n"
+      "[[axis]]\nkey = \"relaxation.first_step\"\nvalues = [1e-3, 1e-2]\n";
+  EXPECT_EQ(study_of(axes).group_axes, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(study_of(axes + "[branches]\ngroup_by = []\n").group_axes, (std::vector<std::size_t>{}));
+  EXPECT_EQ(study_of(axes + "[branches]\ngroup_by = [\"relaxation.first_step\", \"cloth.waviness.seed\"]\n").group_axes,
+            (std::vector<std::size_t>{0, 2}));
+}
+
+struct Bad {
+  std::string text;  // from line 2 on
+  int line;
+  std::string key, message;
+};
+
+TEST(Study, RefusesWhatIsWrongWithFileLineAndKey) {
+  const std::string axis = "[[axis]]\nkey = \"cloth.waviness.seed\"\nvalues = ";
+  const std::vector<Bad> all{
+      {"", 1, "axis", "missing"},
+      {"axis = []\n", 2, "axis", "needs an axis"},
+      {"[[axs]]\n", 2, "axs", "did you mean 'axis'"},
+      {axis + "[]\n", 4, "axis.0.values", "empty"},
+      {axis + "3\n", 4, "axis.0.values", "a list of values or a range"},
+      {axis + "[1, 2, 1]\n", 4, "axis.0.values", "1 stands there twice"},
+      {axis + "{ from = 1, too = 3 }\n", 4, "axis.0.values.too", "did you mean 'to'"},
+      {axis + "{ from = 1 }\n", 4, "axis.0.values.to", "missing"},
+      {axis + "{ from = 3, to = 1 }\n", 4, "axis.0.values.to", "below `from`"},
+      {axis + "{ from = 1, to = 9, step = 0 }\n", 4, "axis.0.values.step", "outside (0"},
+      {axis + "{ from = 1, to = 9, step = 1, count = 2 }\n", 4, "axis.0.values.step", "not both"},
+      {axis + "{ from = 0, to = 9, count = 3, spacing = \"log\" }\n", 4, "axis.0.values.spacing", "above 0"},
+      {axis + "{ from = 0, to = 9e9 }\n", 4, "axis.0.values", "more than 100000"},
+      {axis + "[1]\n" + axis + "[2]\n", 6, "axis.1.key", "the key of two axes"},
+      {axis + "[1]\n[branches]\nsame_shape = 2\n", 6, "branches.same_shape", "outside (0, 1]"},
+      {axis + "[1]\n[branches]\ngroup_by = [\"cloth.waviness.sed\"]\n", 6, "branches.group_by", "did you mean"},
+      {axis + "[1]\n[branches]\ngroup_by = [3]\n", 6, "branches.group_by.0", "a string is expected"},
+      {"set = \"a=1\"\n" + axis + "[1]\n", 2, "set", "a list of strings"},
+      {"thickness = 1\n", 2, "thickness", "unknown key"},
+  };
+  for (const auto& bad : all) {
+    try {
+      (void)study_of(bad.text);
+      ADD_FAILURE() << "accepted:\n" << bad.text;
+    } catch (const CaseError& error) {
+      EXPECT_EQ(error.file(), beside);
+      EXPECT_EQ(error.line(), bad.line) << error.what();
+      EXPECT_TRUE(error.key().starts_with(bad.key)) << error.what();
+      EXPECT_NE(error.message().find(bad.message), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Study, NeedsItsCase) {
+  try {
+    (void)parse_study("case = \"absent.toml\"\n[[axis]]\nkey = \"a\"\nvalues = [1]\n", beside);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.line(), 1);
+    EXPECT_EQ(error.message(), "'absent.toml' is not there (sought beside the study file)");
+  }
+}
+
+}  // namespace
+}  // namespace sundrape
