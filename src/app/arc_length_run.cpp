@@ -4,10 +4,9 @@
 
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/solver_choice.hpp"
-#include "sundrape/app/stable_neighbour.hpp"
 #include "sundrape/app/stop_request.hpp"
 #include "sundrape/statics/equilibrium_path.hpp"
-#include "sundrape/statics/relaxation.hpp"
+#include "sundrape/statics/stable_neighbour.hpp"
 
 namespace sundrape {
 namespace {
@@ -210,7 +209,9 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
     if (pivots > 0 && c.arc_length.relax_unstable) {
       Quiet quiet(watch);
       Vector q = at.q;
-      const auto fallen = relax_to_stable_neighbour(c, model, q, quiet);
+      const auto solver = statics_solver(c, system);
+      const auto fallen = relax_to_stable_neighbour(system, *solver, options.relaxation, options.push,
+                                                    options.neutral_frequency, q, quiet);
       if (fallen.result.end == RelaxationEnd::converged) {
         progress.say(
             fmt::format("the end had {} negative pivots; pushed along its unstable mode and relaxed, it has {}", pivots,

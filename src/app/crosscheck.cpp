@@ -71,10 +71,7 @@ class Work {
     for (const auto& method : crosscheck_methods(case_, model_)) {
       const auto& wanted = options_.methods;
       if (!wanted.empty() && std::ranges::find(wanted, method.name) == wanted.end()) continue;
-      if (method.available)
-        runs.push_back({method.name, common_settings(case_) + method.sets + options_.sets});
-      else
-        check_.left_out.push_back(method.name);
+      runs.push_back({method.name, common_settings(case_) + method.sets + options_.sets});
     }
     const auto outcomes = run_batch(runs, batch_);
     if (was_interrupted(outcomes)) return false;

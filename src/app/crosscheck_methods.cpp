@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "sundrape/app/crosscheck.hpp"
-#include "sundrape/io/key_table.hpp"
 
 namespace sundrape {
 namespace {
@@ -21,11 +20,6 @@ std::vector<std::string> damped_motion(const Case& c, const CaseModel& model) {
   return sets;
 }
 
-bool exists(const std::string& analysis) {
-  const Key* key = key_section("").find("analysis", "");
-  return std::ranges::find(key->choices, analysis) != key->choices.end();
-}
-
 }  // namespace
 
 std::vector<std::string> crosscheck_method_names() { return {"relaxation", "arc-length", "dynamics"}; }
@@ -33,7 +27,9 @@ std::vector<std::string> crosscheck_method_names() { return {"relaxation", "arc-
 std::vector<Method> crosscheck_methods(const Case& c, const CaseModel& model) {
   std::vector<Method> methods;
   for (const auto& name : crosscheck_method_names()) {
-    Method method{.name = name, .available = exists(name), .sets = {"analysis=" + name}};
+    Method method{.name = name, .sets = {"analysis=" + name}};
+    // cloth does not stay on a path that has lost its stability
+    if (name == "arc-length") method.sets.emplace_back("arc-length.when_unstable=fall");
     if (name == "dynamics") {
       const auto motion = damped_motion(c, model);
       method.sets.insert(method.sets.end(), motion.begin(), motion.end());

@@ -9,7 +9,6 @@ namespace sundrape {
 /// A way to an equilibrium, as settings of a case.
 struct Method {
   std::string name;  // of its analysis, too
-  bool available = true;
   std::vector<std::string> sets = {};
 };
 

@@ -60,8 +60,6 @@ void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& tex
 std::string crosscheck_text(const Crosscheck& check) {
   auto text = fmt::format("{}\n", check.title);
   const auto out = std::back_inserter(text);
-  if (!check.left_out.empty())
-    fmt::format_to(out, "  without {}, which this version does not have\n", fmt::join(check.left_out, ", "));
   fmt::format_to(out, "  the case has {} {}, the identity included\n\n", check.symmetries,
                  check.symmetries == 1 ? "symmetry" : "symmetries");
   fmt::format_to(out, "{:<12} {:>13} {:>12} {:>12} {:>12} {:>12} {:>12} {:>9}  stability\n", "energies [J]", "total",
@@ -90,7 +88,6 @@ nlohmann::json crosscheck_json(const Crosscheck& check, int nodes) {
                       {"same_drape_over_diagonal", check.same_drape},
                       {"same_branch_over_size", check.same_branch},
                       {"symmetries", check.symmetries},
-                      {"left_out", check.left_out},
                       {"methods", nlohmann::json::array()},
                       {"pairs", nlohmann::json::array()}};
   for (const auto& method : check.methods) {

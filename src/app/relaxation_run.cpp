@@ -5,9 +5,9 @@
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/continuation.hpp"
 #include "sundrape/app/solver_choice.hpp"
-#include "sundrape/app/stable_neighbour.hpp"
 #include "sundrape/statics/chapter_relaxation.hpp"
 #include "sundrape/statics/stability.hpp"
+#include "sundrape/statics/stable_neighbour.hpp"
 
 #include "relaxation_watch.hpp"
 
@@ -148,7 +148,9 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
     progress.say(fmt::format("this equilibrium has {} negative pivots: relaxing from it along its unstable mode",
                              *found.pivots));
     watch.begin_again(q, watch.now().time, options.first_step);
-    const auto fallen = relax_to_stable_neighbour(c, model, q, watch);
+    const auto solver = statics_solver(c, *model.system);
+    const auto fallen = relax_to_stable_neighbour(*model.system, *solver, options, push_of_unstable(model),
+                                                  neutral_frequency(model), q, watch);
     found.pivots = fallen.pivots;
     found.result.end = fallen.result.end;
     found.result.diagnosis = fallen.result.diagnosis;

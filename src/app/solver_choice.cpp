@@ -1,6 +1,7 @@
 #include "sundrape/app/solver_choice.hpp"
 
-#include "sundrape/app/stable_neighbour.hpp"
+#include <cmath>
+
 #include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/linalg/block_incomplete_cholesky.hpp"
 #include "sundrape/linalg/conjugate_gradients.hpp"
@@ -42,6 +43,10 @@ IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   return o;
 }
 
+double neutral_frequency(const CaseModel& model) { return 1e-3 * std::sqrt(model.gravity / model.size); }
+
+double push_of_unstable(const CaseModel& model) { return 1e-3 * model.size; }
+
 PathOptions path_options(const Case& c, const CaseModel& model) {
   const auto& a = c.arc_length;
   PathOptions o;
@@ -57,6 +62,10 @@ PathOptions path_options(const Case& c, const CaseModel& model) {
   o.largest_move = a.largest_move.value_or(model.size / 10);
   o.neutral_frequency = neutral_frequency(model);
   o.force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
+  o.fall = a.fall;
+  o.push = push_of_unstable(model);
+  o.relaxation = relaxation_options(c, model);
+  o.relaxation.tolerance = a.tolerance;
   o.branch = a.branch;
   o.branch_amplitude = a.branch_amplitude.value_or(0.01 * model.size);
   if (a.at_bifurcation == BifurcationKind::switch_branch) o.at_bifurcation = AtBifurcation::switch_branch;

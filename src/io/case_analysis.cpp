@@ -73,6 +73,7 @@ ArcLengthCase resolve_arc_length(const CaseSection& section) {
   path.max_iterations = section.integer("max_iterations");
   path.max_steps = section.integer("max_steps");
   path.largest_move = section.maybe_number("largest_move");
+  path.fall = section.text("when_unstable") == "fall";
   path.at_bifurcation = choices::at_bifurcation.value(section.text("at_bifurcation"));
   path.branch = section.integer("branch");
   path.branch_amplitude = section.maybe_number("branch_amplitude");

@@ -190,6 +190,12 @@ Section arc_length() {
                .range = positive(),
                .default_note = "L/10, L the sheet's longest side",
                .doc = "Of a node in the prediction of a step, but for a stage's first."},
+              {.name = "when_unstable",
+               .type = KeyType::choice,
+               .choices = {"follow", "fall"},
+               .default_value = "\"follow\"",
+               .doc = "Beyond a critical point: follow the unstable path, or fall to the next stable equilibrium under "
+                      "the same load, as cloth does, and go on from there."},
               {.name = "at_bifurcation",
                .type = KeyType::choice,
                .choices = {"pass", "switch", "stop"},

@@ -49,6 +49,7 @@ void describe_arc_length(CaseDescription& out, const ArcLengthCase& path, int st
   out.verbatim("max_iterations", fmt::format("{}", path.max_iterations));
   out.verbatim("max_steps", fmt::format("{}", path.max_steps));
   out.maybe_number("largest_move", path.largest_move);
+  out.text("when_unstable", path.fall ? "fall" : "follow");
   out.text("at_bifurcation", choices::at_bifurcation.name(path.at_bifurcation));
   if (path.at_bifurcation != BifurcationKind::pass) {
     out.verbatim("branch", fmt::format("{}", path.branch));

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sundrape/statics/stable_neighbour.hpp"
+
 #include "critical_point.hpp"
 
 namespace sundrape {
@@ -130,7 +132,8 @@ class StageFollower {
       if (found.converged) {
         at_.iterations += spent;
         accept(to, found, cuts, std::abs(load) * norm);
-        return after_step();
+        if (auto failure = after_step()) return failure;
+        return options_.fall && pivots_.value_or(0) > 0 ? fall() : Failure{};
       }
       if (observer_.wants_to_stop()) return PathResult{PathEnd::stopped, ""};
       judged_ = false;
@@ -223,6 +226,43 @@ class StageFollower {
     judged_ = false;
     (void)judge();
     at_.factorizations = solver_.tangent.factorizations();
+    return {};
+  }
+
+  /// To the stable equilibrium under the same load that cloth goes to when it has lost its stability.
+  Failure fall() {
+    struct Quiet final : RelaxationObserver {
+      explicit Quiet(PathObserver& path) : path_(path) {}
+      void step(const State& /*all*/, const RelaxationStep& /*step*/) override {}
+      [[nodiscard]] bool wants_to_stop() override { return path_.wants_to_stop(); }
+      PathObserver& path_;
+    } quiet(observer_);
+    const auto direct = make_linear_solver(system_.has_symmetric_tangent() ? SolverKind::cholesky : SolverKind::lu);
+    auto relaxation = options_.relaxation;
+    relaxation.stage = at_.stage;
+    relaxation.load_factor = at_.load_factor;
+    Vector fallen = at_.q;
+    const int unstable = pivots_.value_or(0);
+    const auto found = relax_to_stable_neighbour(system_, *direct, relaxation, options_.push,
+                                                 options_.neutral_frequency, fallen, quiet);
+    if (found.result.end == RelaxationEnd::stopped) return PathResult{PathEnd::stopped, ""};
+    if (found.result.end != RelaxationEnd::converged)
+      return stall("no stable equilibrium was found after the path lost its stability (" + found.result.diagnosis + ")",
+                   "arc-length.when_unstable = \"follow\" goes on along the unstable path");
+    const double furthest = (fallen - at_.q).cwiseAbs().maxCoeff();
+    const double length = at_.arc_length;
+    at_.factorizations += found.result.factorizations;
+    accept({fallen, at_.load_factor}, {true, found.result.iterations, found.result.residual}, 0, 0);
+    observer_.remark(
+        fmt::format("lost stability: at load factor {:.6g} of stage {} fell by up to {:.3g} mm, {} -> {} "
+                    "negative pivots",
+                    at_.load_factor, at_.stage, 1e3 * furthest, unstable, pivots_.value_or(-1)));
+    // a fall is no step along the path: from here it begins anew, towards more load
+    at_.step_q.setZero();
+    at_.step_load = 0;
+    at_.arc_length = length;
+    at_.step_iterations = options_.target_iterations;
+    forward_ = true;
     return {};
   }
 

@@ -17,16 +17,18 @@ constexpr double largest_step = 1e4;    // [s]; M/h² is then far below any stif
 /// The out-of-balance force over the unknowns and the point where it is largest.
 class OutOfBalance {
  public:
-  OutOfBalance(const System& system, double force_scale)
+  OutOfBalance(const System& system, const RelaxationOptions& options)
       : system_(system),
-        force_scale_(force_scale),
+        force_scale_(options.force_scale),
+        load_factor_(options.load_factor),
+        stage_(options.stage),
         still_(Vector::Zero(3 * system.mass().size())),
         f_(still_),
         rows_(system.unknowns().size()) {}
 
   /// Returns the residual relative to the external force.
   double evaluate(const Vector& q) {
-    const State all{0, q, still_};
+    const State all = state(q);
     system_.force(all, f_);
     system_.unknowns().gather(f_, rows_);
     system_.unknowns().clear_held(rows_);
@@ -34,7 +36,7 @@ class OutOfBalance {
     return rows_.norm() / (external > 0 ? external : force_scale_);
   }
   [[nodiscard]] const Vector& rows() const { return rows_; }
-  [[nodiscard]] const Vector& still() const { return still_; }
+  [[nodiscard]] State state(const Vector& q) const { return {load_factor_, q, still_, stage_}; }
   [[nodiscard]] int worst_point() const {
     int worst = 0;
     double largest = -1;
@@ -48,7 +50,8 @@ class OutOfBalance {
 
  private:
   const System& system_;
-  double force_scale_;
+  double force_scale_, load_factor_;
+  int stage_;
   Vector still_, f_, rows_;
 };
 
@@ -78,7 +81,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
   const auto n = unknowns.size();
   BlockMatrix matrix(system.structure(), solver.symmetry());
   solver.analyse(system.structure());
-  OutOfBalance balance(system, options.force_scale);
+  OutOfBalance balance(system, options);
   Vector v = Vector::Zero(n), rows_q(n), step(n), right_side(n), force(n), tried = q, all_v = Vector::Zero(q.size());
   unknowns.gather(q, rows_q);
 
@@ -106,7 +109,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     const auto find_step = [&] {
       matrix.set_zero();
       matrix.add_diagonal(system.row_mass(), 1 / (h * h));
-      system.add_tangent({0, q, balance.still()}, -1, 0, matrix);
+      system.add_tangent(balance.state(q), -1, 0, matrix);
       system.hold(matrix);
       ++result.factorizations;
       if (solver.factor(matrix) != FactorStatus::ok) return false;

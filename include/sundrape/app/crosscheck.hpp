@@ -58,7 +58,6 @@ struct Crosscheck {
   double same_branch = 1e-3;      // RMS over the longest side below which they are one equilibrium
   std::size_t symmetries = 0;
   std::vector<MethodEnd> methods;
-  std::vector<std::string> left_out;  // methods that this version does not have
   std::vector<MethodPair> pairs;
 };
 

@@ -11,6 +11,12 @@ namespace sundrape {
 /// Tolerances and steps of a dynamic case.
 [[nodiscard]] IntegratorOptions integrator_options(const Case& c, const CaseModel& model);
 
+/// Frequency below which motion counts as free [1/s]: 10⁻³ √(g/L).
+[[nodiscard]] double neutral_frequency(const CaseModel& model);
+/// How far an unstable equilibrium is pushed along its mode, to see where it falls [m]: a thousandth of the sheet's
+/// size.
+[[nodiscard]] double push_of_unstable(const CaseModel& model);
+
 /// Control, step lengths and scales of an arc-length case.
 [[nodiscard]] PathOptions path_options(const Case& c, const CaseModel& model);
 

@@ -215,6 +215,7 @@ struct ArcLengthCase {
   bool acceleration = true;
   int max_iterations = 30, max_steps = 1000;
   std::optional<double> largest_move;  // of a node in the prediction of a step [m]; default L/10
+  bool fall = false;                   // where stability is lost, to the next stable equilibrium
   BifurcationKind at_bifurcation = BifurcationKind::pass;
   int branch = 1;                          // which bifurcation
   std::optional<double> branch_amplitude;  // first move along its mode, signed [m]; default 0.01 L

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sundrape/statics/relaxation.hpp"
 #include "sundrape/statics/stability.hpp"
 #include "sundrape/statics/staged_equilibrium.hpp"
 
@@ -29,6 +30,9 @@ struct PathOptions {
   double neutral_frequency = 1e-2;              // ε of the tangent [1/s]
   double force_scale = 0;                       // see StagedEquilibrium [N]
   bool locate = true;                           // critical points between steps
+  bool fall = false;                  // where stability is lost, to the next stable equilibrium under the same load
+  double push = 0;                    // along the unstable mode, to fall [m]
+  RelaxationOptions relaxation = {};  // for the fall
   AtBifurcation at_bifurcation = AtBifurcation::pass;
   int branch = 1;               // which fork: 1, the first, and so on
   double branch_amplitude = 0;  // first move along the mode, signed [m]

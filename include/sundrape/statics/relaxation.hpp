@@ -14,6 +14,8 @@ struct RelaxationOptions {
   double largest_move = 0;   // of a node in one iteration [m], so that none jumps through an obstacle; 0: no limit
   double largest_rise = 0;   // of the potential energy in one iteration [J]; 0: no limit
   double force_scale = 0;    // compared with instead of the external force where there is none [N]
+  int stage = 0;             // of staged statics: at which loads; 0: full ones
+  double load_factor = 0;    // in that stage
 };
 
 /// Options for a sheet of a size [m] under a gravity [m/s²]: a first step of 0.01 √(L/g), moves of at most L/40.

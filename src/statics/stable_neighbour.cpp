@@ -1,0 +1,34 @@
+#include "sundrape/statics/stable_neighbour.hpp"
+
+#include "sundrape/statics/stability.hpp"
+
+namespace sundrape {
+namespace {
+
+constexpr int most_pushes = 4;
+
+}  // namespace
+
+StableNeighbour relax_to_stable_neighbour(const System& system, LinearSolver& solver, const RelaxationOptions& options,
+                                          double push, double neutral_frequency, Vector& q,
+                                          RelaxationObserver& observer) {
+  const Vector still = Vector::Zero(q.size());
+  Tangent tangent(system, neutral_frequency);
+  StableNeighbour found;
+  for (int k = 0;; ++k) {
+    (void)tangent.factor({options.load_factor, q, still, options.stage});
+    found.pivots = tangent.negative_pivots();
+    if (k == most_pushes || found.pivots.value_or(0) == 0) return found;
+    const auto mode = unstable_mode(system, tangent);
+    if (!mode) return found;
+    q += push * displacements(system, mode->shape);
+    auto result = relax(system, solver, options, q, observer);
+    result.iterations += found.result.iterations;
+    result.factorizations += found.result.factorizations;
+    result.linear_iterations += found.result.linear_iterations;
+    found.result = std::move(result);
+    if (found.result.end != RelaxationEnd::converged) return found;
+  }
+}
+
+}  // namespace sundrape
