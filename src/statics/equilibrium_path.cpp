@@ -13,6 +13,9 @@ namespace sundrape {
 namespace {
 
 constexpr int most_cuts = 30;
+constexpr int most_short_steps =
+    10;  // below a tenth of the first increment, before cloth is taken to have come to an end
+constexpr int cuts_for_a_kink = 4;  // that far a step is halved because it turns off its prediction
 constexpr double same_load = 1e-9;  // load factors closer than this are one
 constexpr double least_cosine =
     0.5;  // between a step and its prediction: one that turns further may have left the path
@@ -117,7 +120,9 @@ class StageFollower {
     }
     const double move = by_load_.cwiseAbs().maxCoeff() / norm;  // of a node per length
     if (!first && options_.largest_move > 0) length = std::min(length, options_.largest_move / move);
-    const double sense = forward_ ? 1 : -1;
+    // a stable path leads to more load; where it ends, cloth falls
+    const double sense = forward_ || options_.fall ? 1 : -1;
+    const double intended = length / norm;
     int spent = 0;
     for (int cuts = 0; cuts <= most_cuts; ++cuts, length /= 2) {
       double load = sense * length / norm;
@@ -128,14 +133,23 @@ class StageFollower {
       Correction found = correct(to, std::abs(load) * norm);
       spent += found.iterations;
       if (found.converged && to.load_factor > 1 + same_load) found = back_to_full_load(to);
-      if (found.converged && !first && strays(to, sense)) found.converged = false;
+      // where a contact closes the path has a kink, which no shorter step avoids
+      if (found.converged && !first && cuts < cuts_for_a_kink && strays(to, sense)) found.converged = false;
+      if (found.converged && options_.fall && to.load_factor <= at_.load_factor) found.converged = false;
       if (found.converged) {
         at_.iterations += spent;
         accept(to, found, cuts, std::abs(load) * norm);
         if (auto failure = after_step()) return failure;
-        return options_.fall && pivots_.value_or(0) > 0 ? fall() : Failure{};
+        if (!options_.fall) return {};
+        if (pivots_.value_or(0) > 0) return fall(at_.load_factor);
+        short_steps_ = std::abs(at_.step_load) < 0.1 * first_increment_ ? short_steps_ + 1 : 0;
+        return short_steps_ >= most_short_steps ? fall_further(0) : Failure{};
       }
       if (observer_.wants_to_stop()) return PathResult{PathEnd::stopped, ""};
+      if (options_.fall && cuts == cuts_for_a_kink - 1) {
+        at_.iterations += spent;
+        return fall_further(intended);
+      }
       judged_ = false;
       if (!judge()) break;
     }
@@ -229,8 +243,15 @@ class StageFollower {
     return {};
   }
 
-  /// To the stable equilibrium under the same load that cloth goes to when it has lost its stability.
-  Failure fall() {
+  /// The same under more load than here, where the path creeps or ends.
+  Failure fall_further(double increment) {
+    fall_increment_ = std::max({increment, first_increment_, 2 * fall_increment_});  // one fall may follow another
+    short_steps_ = 0;
+    return fall(std::min(1.0, at_.load_factor + fall_increment_));
+  }
+
+  /// To the stable equilibrium that cloth goes to under a load when it has lost its stability, or its path has ended.
+  Failure fall(double load_factor) {
     struct Quiet final : RelaxationObserver {
       explicit Quiet(PathObserver& path) : path_(path) {}
       void step(const State& /*all*/, const RelaxationStep& /*step*/) override {}
@@ -240,28 +261,30 @@ class StageFollower {
     const auto direct = make_linear_solver(system_.has_symmetric_tangent() ? SolverKind::cholesky : SolverKind::lu);
     auto relaxation = options_.relaxation;
     relaxation.stage = at_.stage;
-    relaxation.load_factor = at_.load_factor;
+    relaxation.load_factor = load_factor;
     Vector fallen = at_.q;
+    system_.carry(load_factor, at_.stage, fallen);
     const int unstable = pivots_.value_or(0);
-    const auto found = relax_to_stable_neighbour(system_, *direct, relaxation, options_.push,
-                                                 options_.neutral_frequency, fallen, quiet);
+    StableNeighbour found{relax(system_, *direct, relaxation, fallen, quiet), {}};
+    if (found.result.end == RelaxationEnd::converged) {
+      const int iterations = found.result.iterations;
+      found = relax_to_stable_neighbour(system_, *direct, relaxation, options_.push, options_.neutral_frequency, fallen,
+                                        quiet);
+      found.result.iterations += iterations;
+    }
     if (found.result.end == RelaxationEnd::stopped) return PathResult{PathEnd::stopped, ""};
     if (found.result.end != RelaxationEnd::converged)
       return stall("no stable equilibrium was found after the path lost its stability (" + found.result.diagnosis + ")",
                    "arc-length.when_unstable = \"follow\" goes on along the unstable path");
     const double furthest = (fallen - at_.q).cwiseAbs().maxCoeff();
-    const double length = at_.arc_length;
     at_.factorizations += found.result.factorizations;
-    accept({fallen, at_.load_factor}, {true, found.result.iterations, found.result.residual}, 0, 0);
-    observer_.remark(
-        fmt::format("lost stability: at load factor {:.6g} of stage {} fell by up to {:.3g} mm, {} -> {} "
-                    "negative pivots",
-                    at_.load_factor, at_.stage, 1e3 * furthest, unstable, pivots_.value_or(-1)));
+    accept({fallen, load_factor}, {true, found.result.iterations, found.result.residual}, 0, 0);
+    observer_.remark(fmt::format(
+        "no stable path further: at load factor {:.6g} of stage {} fell by up to {:.3g} mm, {} -> {} negative pivots",
+        at_.load_factor, at_.stage, 1e3 * furthest, unstable, pivots_.value_or(-1)));
     // a fall is no step along the path: from here it begins anew, towards more load
     at_.step_q.setZero();
-    at_.step_load = 0;
-    at_.arc_length = length;
-    at_.step_iterations = options_.target_iterations;
+    at_.step_load = at_.arc_length = 0;
     forward_ = true;
     return {};
   }
@@ -295,9 +318,10 @@ class StageFollower {
   PathPosition& at_;
   PathObserver& observer_;
   StageSolver solver_;
-  double first_increment_;
-  Vector by_load_, load_direction_;  // u^I and F_0 here, rows
-  std::optional<int> pivots_;        // here
+  double first_increment_, fall_increment_ = 0;  // of the load factor
+  int short_steps_ = 0;                          // in a row, while falling is allowed
+  Vector by_load_, load_direction_;              // u^I and F_0 here, rows
+  std::optional<int> pivots_;                    // here
   bool judged_ = false, forward_ = true, was_forward_ = true;
   JudgedPoint before_;
 };

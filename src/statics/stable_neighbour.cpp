@@ -15,6 +15,8 @@ StableNeighbour relax_to_stable_neighbour(const System& system, LinearSolver& so
   const Vector still = Vector::Zero(q.size());
   Tangent tangent(system, neutral_frequency);
   StableNeighbour found;
+  found.result.residual =
+      relative_residual(system, {options.load_factor, q, still, options.stage}, options.force_scale);
   for (int k = 0;; ++k) {
     (void)tangent.factor({options.load_factor, q, still, options.stage});
     found.pivots = tangent.negative_pivots();

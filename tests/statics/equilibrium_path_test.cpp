@@ -87,6 +87,32 @@ TEST(EquilibriumPath, LoadStepsSnapToTheOnlyEquilibriumBeyondTheLimitPoint) {
   EXPECT_LT(at.q[8], -truss.rise);
 }
 
+TEST(EquilibriumPath, WhereItMayFallTheTrussSnapsUnderTheLoadThatItCannotBear) {
+  const Truss truss;
+  const auto system = truss.system();
+  auto options = truss_options(truss);
+  options.fall = true;
+  options.push = 1e-3 * truss.rise;
+  options.relaxation.tolerance = 1e-10;
+  PathPosition at{.q = truss.start()};
+  Trace trace;
+  const auto result = follow_path(system, options, at, trace);
+  ASSERT_EQ(result.end, PathEnd::complete) << result.diagnosis;
+  const double limit = truss.load(truss.limit_height()) / truss.full_load;
+  double before = 0;
+  for (const auto& step : trace.steps) {
+    EXPECT_GE(step.load_factor, before);
+    EXPECT_NEAR(step.load_factor * truss.full_load, truss.load(step.q[8]), 1e-8 * truss.full_load);
+    if (step.q[8] > 0) {
+      EXPECT_LE(step.load_factor, limit * (1 + 1e-6));
+    }
+    before = step.load_factor;
+  }
+  EXPECT_LT(at.q[8], -truss.rise);
+  EXPECT_EQ(trace.reports.back().negative_pivots, 0);
+  EXPECT_FALSE(trace.remarks.empty());
+}
+
 TEST(EquilibriumPath, StepsWithoutAccelerationStayAsLongAsTheFirst) {
   const Truss truss{.full_load = 0.02};  // below its limit
   const auto system = truss.system();
