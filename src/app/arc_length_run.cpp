@@ -30,16 +30,6 @@ double work_between(const System& system, const State& before, const State& afte
   return work;
 }
 
-class Quiet final : public RelaxationObserver {
- public:
-  explicit Quiet(PathObserver& watch) : watch_(watch) {}
-  void step(const State& /*all*/, const RelaxationStep& /*step*/) override {}
-  [[nodiscard]] bool wants_to_stop() override { return watch_.wants_to_stop(); }
-
- private:
-  PathObserver& watch_;
-};
-
 std::string critical_text(const CriticalPoint& point) {
   const bool limit = point.kind == CriticalPoint::Kind::limit_point;
   return fmt::format("{} at load factor {:.6g} ± {:.1g} of stage {}: {} -> {} negative pivots",
@@ -135,7 +125,7 @@ class Watch final : public PathObserver {
     recorder_.checkpoint(
         {at.load_factor, at.q, at.step_q, at.stage}, balance(at), 0, at.arc_length,
         {static_cast<double>(at.stage), at.step_load, static_cast<double>(at.step_iterations),
-         static_cast<double>(at.forks), static_cast<double>(at.steps), static_cast<double>(at.iterations),
+         static_cast<double>(at.bifurcations), static_cast<double>(at.steps), static_cast<double>(at.iterations),
          static_cast<double>(at.factorizations), static_cast<double>(critical_points_)});
   }
   [[nodiscard]] PathPosition position(const Recorder::Restart& restart) {
@@ -148,7 +138,7 @@ class Watch final : public PathObserver {
     at.step_load = t.at(1);
     at.arc_length = restart.step_size;
     at.step_iterations = static_cast<int>(t.at(2));
-    at.forks = static_cast<int>(t.at(3));
+    at.bifurcations = static_cast<int>(t.at(3));
     at.steps = std::lround(t.at(4));
     at.iterations = std::lround(t.at(5));
     at.factorizations = std::lround(t.at(6));
@@ -207,11 +197,11 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
   if (result.end == PathEnd::complete) {
     int pivots = watch.last().negative_pivots.value_or(-1);
     if (pivots > 0 && c.arc_length.relax_unstable) {
-      Quiet quiet(watch);
+      UnseenRelaxation unseen([&] { return watch.wants_to_stop(); });
       Vector q = at.q;
       const auto solver = statics_solver(c, system);
       const auto fallen = relax_to_stable_neighbour(system, *solver, options.relaxation, options.push,
-                                                    options.neutral_frequency, q, quiet);
+                                                    options.neutral_frequency, q, unseen);
       if (fallen.result.end == RelaxationEnd::converged) {
         progress.say(
             fmt::format("the end had {} negative pivots; pushed along its unstable mode and relaxed, it has {}", pivots,

@@ -7,6 +7,7 @@ namespace sundrape {
 namespace {
 
 constexpr int most_trials = 25;
+constexpr int most_in_a_step = 6;
 constexpr double wanted = 1e-4;  // uncertainty of the load factor, relative
 
 /// φ·K φ of a mode at an equilibrium, whose zero is looked for.
@@ -30,8 +31,8 @@ bool strays(const StageSolver& s, const PathPoint& a, const PathPoint& b, const 
 
 }  // namespace
 
-std::optional<CriticalPoint> locate_critical_point(StageSolver& s, const JudgedPoint& before, const JudgedPoint& after,
-                                                   bool limit_point) {
+std::optional<CriticalPoint> locate_critical_point(StageSolver& s, const AssessedPoint& before,
+                                                   const AssessedPoint& after, bool limit_point) {
   const auto& system = s.system;
   const Vector chord = s.rows(after.at.q) - s.rows(before.at.q);
   const double chord_load = after.at.load_factor - before.at.load_factor;
@@ -50,7 +51,7 @@ std::optional<CriticalPoint> locate_critical_point(StageSolver& s, const JudgedP
   };
   follow_mode(worse.at);
 
-  JudgedPoint low = before, high = after;
+  AssessedPoint low = before, high = after;
   double low_share = 0, high_share = 1;
   const auto quotient_at = [&](const PathPoint& at) { return factor(at) ? quotient(s.tangent, mode) : 0.0; };
   double low_value = quotient_at(before.at), high_value = quotient_at(after.at);
@@ -94,6 +95,19 @@ std::optional<CriticalPoint> locate_critical_point(StageSolver& s, const JudgedP
   found.pivots_before = before.negative_pivots;
   found.pivots_after = high.negative_pivots;
   return found;
+}
+
+std::optional<AssessedPoint> each_critical_point(StageSolver& s, const AssessedPoint& before,
+                                                 const AssessedPoint& after, bool limit_point,
+                                                 const std::function<bool(const CriticalPoint&)>& met) {
+  AssessedPoint from = before;
+  for (int k = 0; k < most_in_a_step && from.negative_pivots != after.negative_pivots; ++k) {
+    const auto found = locate_critical_point(s, from, after, limit_point && k == 0);
+    if (!found) return from;
+    if (!met(*found) || found->pivots_after == from.negative_pivots) break;
+    from = {{found->q, found->load_factor}, found->pivots_after};
+  }
+  return {};
 }
 
 }  // namespace sundrape

@@ -9,18 +9,26 @@ namespace {
 constexpr double hopeless = 1e12;  // residual over the loads
 constexpr double enough = 0.8;     // of the work along a Newton step that a line search leaves at most
 
-/// The two solutions that every correction is made of, (23) and (24).
-struct Solutions {
-  Vector by_load, by_residual;  // u^I, u^II: rows [m]
-  bool ok = false;
-};
+/// Rows that move by more than anything sensible mean a tangent that is all but singular.
+bool sensible(const StageSolver& s, const Vector& increment) {
+  return increment.allFinite() && increment.cwiseAbs().maxCoeff() < 10 * s.options.size;
+}
 
-Solutions solve_both(StageSolver& s, const PathPoint& at, const Vector& residual) {
-  Solutions u{Vector(residual.size()), Vector(residual.size())};
-  const Vector load = s.equations.load_direction(at.q, at.load_factor);
-  u.ok = s.tangent.factor(s.equations.state(at.q, at.load_factor)) == FactorStatus::ok &&
-         s.tangent.solve(load, u.by_load).ok && s.tangent.solve(residual, u.by_residual).ok;
-  return u;
+/// One correction (22): Δλ u^I + u^II with u^I = K⁻¹F_0 (23), u^II = K⁻¹(F − P) (24), and the Δλ that a constraint on
+/// them demands, load_for(u^I, u^II). False where the tangent gives none.
+template <class LoadFor>
+bool correct(StageSolver& s, PathPoint& at, const Vector& residual, LoadFor load_for) {
+  Vector by_load(residual.size()), by_residual(residual.size());
+  const Vector load_direction = s.equations.load_direction(at.q, at.load_factor);
+  if (s.tangent.factor(s.equations.state(at.q, at.load_factor)) != FactorStatus::ok ||
+      !s.tangent.solve(load_direction, by_load).ok || !s.tangent.solve(residual, by_residual).ok)
+    return false;
+  const double load = load_for(by_load, by_residual);
+  const Vector increment = load * by_load + by_residual;
+  if (!std::isfinite(load) || !sensible(s, increment)) return false;
+  at.load_factor += load;
+  s.equations.move(at.q, increment, at.load_factor);
+  return true;
 }
 
 /// Newton's iterations; `advance` makes one correction from a residual and returns whether it could.
@@ -40,42 +48,26 @@ Correction iterate(StageSolver& s, PathPoint& at, const ResidualReport& report, 
   }
 }
 
-/// Rows that move by more than anything sensible mean a tangent that is all but singular.
-bool sensible(const StageSolver& s, const Vector& increment) {
-  return increment.allFinite() && increment.cwiseAbs().maxCoeff() < 10 * s.options.size;
-}
-
 }  // namespace
 
 Correction correct_on_arc(StageSolver& s, const PathPoint& from, double length, PathPoint& at,
                           const ResidualReport& report) {
   const Vector start = s.rows(from.q);
   return iterate(s, at, report, [&](const Vector& residual) {
-    const auto u = solve_both(s, at, residual);
-    if (!u.ok) return false;
     const Vector way = s.rows(at.q) - start;
     const double way_load = at.load_factor - from.load_factor;
     const double distance = std::sqrt(s.dot(way, way_load, way, way_load)), f = distance - length;  // (19)
-    const double slope = s.dot(way, way_load, u.by_load, 1);
-    const double load = -(f * distance + s.dot(way, way_load, u.by_residual, 0)) / slope;  // (21)
-    const Vector increment = load * u.by_load + u.by_residual;                             // (22)
-    if (!std::isfinite(load) || !sensible(s, increment)) return false;
-    at.load_factor += load;
-    s.equations.move(at.q, increment, at.load_factor);
-    return true;
+    return correct(s, at, residual, [&](const Vector& by_load, const Vector& by_residual) {
+      return -(f * distance + s.dot(way, way_load, by_residual, 0)) / s.dot(way, way_load, by_load, 1);  // (21)
+    });
   });
 }
 
 Correction correct_on_plane(StageSolver& s, const Vector& normal, double normal_load, PathPoint& at) {
   return iterate(s, at, {}, [&](const Vector& residual) {
-    const auto u = solve_both(s, at, residual);
-    if (!u.ok) return false;
-    const double load = -s.dot(normal, normal_load, u.by_residual, 0) / s.dot(normal, normal_load, u.by_load, 1);
-    const Vector increment = load * u.by_load + u.by_residual;
-    if (!std::isfinite(load) || !sensible(s, increment)) return false;
-    at.load_factor += load;
-    s.equations.move(at.q, increment, at.load_factor);
-    return true;
+    return correct(s, at, residual, [&](const Vector& by_load, const Vector& by_residual) {
+      return -s.dot(normal, normal_load, by_residual, 0) / s.dot(normal, normal_load, by_load, 1);
+    });
   });
 }
 

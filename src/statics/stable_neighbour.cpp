@@ -7,6 +7,14 @@ namespace {
 
 constexpr int most_pushes = 4;
 
+/// The result of a relaxation after another one, with the work of both.
+RelaxationResult after(const RelaxationResult& first, RelaxationResult second) {
+  second.iterations += first.iterations;
+  second.factorizations += first.factorizations;
+  second.linear_iterations += first.linear_iterations;
+  return second;
+}
+
 }  // namespace
 
 StableNeighbour relax_to_stable_neighbour(const System& system, LinearSolver& solver, const RelaxationOptions& options,
@@ -24,13 +32,18 @@ StableNeighbour relax_to_stable_neighbour(const System& system, LinearSolver& so
     const auto mode = unstable_mode(system, tangent);
     if (!mode) return found;
     q += push * displacements(system, mode->shape);
-    auto result = relax(system, solver, options, q, observer);
-    result.iterations += found.result.iterations;
-    result.factorizations += found.result.factorizations;
-    result.linear_iterations += found.result.linear_iterations;
-    found.result = std::move(result);
+    found.result = after(found.result, relax(system, solver, options, q, observer));
     if (found.result.end != RelaxationEnd::converged) return found;
   }
+}
+
+StableNeighbour relax_until_stable(const System& system, LinearSolver& solver, const RelaxationOptions& options,
+                                   double push, double neutral_frequency, Vector& q, RelaxationObserver& observer) {
+  const auto first = relax(system, solver, options, q, observer);
+  if (first.end != RelaxationEnd::converged) return {first, {}};
+  auto found = relax_to_stable_neighbour(system, solver, options, push, neutral_frequency, q, observer);
+  found.result = after(first, std::move(found.result));
+  return found;
 }
 
 }  // namespace sundrape

@@ -61,13 +61,13 @@ TEST(Continuation, EndsInTheSameEquilibriumWhereThereIsOne) {
         hanging.c, hanging.model, coarser, [](const QuadMesh&, const RelaxationStep&) {}, [] { return false; });
     EXPECT_EQ(start.problem, "");
     EXPECT_GT(start.iterations, 0);
-    samples::Silent silent;
+    UnseenRelaxation unseen;
     Vector continued = start.q, direct = hanging.model.initial;
     const auto solver = statics_solver(hanging.c, *hanging.model.system);
     auto options = continued_options(hanging.c, hanging.model);
     options.tolerance = 1e-9;
-    const auto from_coarse = relax(*hanging.model.system, *solver, options, continued, silent);
-    const auto from_flat = relax(*hanging.model.system, *solver, options, direct, silent);
+    const auto from_coarse = relax(*hanging.model.system, *solver, options, continued, unseen);
+    const auto from_flat = relax(*hanging.model.system, *solver, options, direct, unseen);
     EXPECT_EQ(from_coarse.end, RelaxationEnd::converged) << from_coarse.diagnosis;
     EXPECT_LT(from_coarse.iterations, from_flat.iterations);
     // residuals of 1e-9 on a sheet that bends under its weight by centimetres

@@ -33,19 +33,13 @@ inline CaseModel model_of(const std::string& text, const std::filesystem::path& 
   return build_model(parse_case(text, file));
 }
 
-class Silent final : public RelaxationObserver {
- public:
-  void step(const State& /*all*/, const RelaxationStep& /*step*/) override {}
-  [[nodiscard]] bool wants_to_stop() override { return false; }
-};
-
 /// Positions in equilibrium, 3N [m].
 inline Vector equilibrium(const CaseModel& model, double tolerance) {
   const auto solver = make_linear_solver(SolverKind::cholesky);
-  Silent silent;
+  UnseenRelaxation unseen;
   Vector q = model.initial;
   const auto result =
-      relax(*model.system, *solver, {.tolerance = tolerance, .first_step = 1e-3, .force_scale = 1}, q, silent);
+      relax(*model.system, *solver, {.tolerance = tolerance, .first_step = 1e-3, .force_scale = 1}, q, unseen);
   if (result.end != RelaxationEnd::converged) throw std::runtime_error(result.diagnosis);
   return q;
 }

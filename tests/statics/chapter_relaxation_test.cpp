@@ -9,15 +9,10 @@ namespace {
 
 using namespace samples;
 
-struct Silent final : RelaxationObserver {
-  void step(const State&, const RelaxationStep&) override {}
-  bool wants_to_stop() override { return false; }
-};
-
 TEST(ChapterRelaxation, EndsWhereTheSpringCarriesTheWeightOnIt) {
   const auto system = mass_on_spring(9.80665);
   Vector q = below();
-  Silent observer;
+  UnseenRelaxation observer;
   const auto result = relax_as_in_chapter(system, {.edge_length = spring_length, .tolerance = 1e-8}, q, observer);
   EXPECT_EQ(result.end, RelaxationEnd::converged) << result.diagnosis;
   EXPECT_NEAR(q[5], -spring_length - hanging_mass * 9.80665 / spring_stiffness, 1e-8);  // Hooke

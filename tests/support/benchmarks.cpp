@@ -32,12 +32,6 @@ class Frames final : public DynamicsObserver {
   Motion& motion_;
 };
 
-class Silent final : public RelaxationObserver {
- public:
-  void step(const State&, const RelaxationStep&) override {}
-  [[nodiscard]] bool wants_to_stop() override { return false; }
-};
-
 }  // namespace
 
 Benchmark benchmark(const std::string& case_name, const std::vector<std::string>& sets) {
@@ -54,11 +48,11 @@ Equilibrium equilibrium(const Benchmark& b, double tolerance) {
 
 Equilibrium equilibrium_from(const Vector& start, const Benchmark& b, double tolerance) {
   Equilibrium e{start, {}};
-  Silent silent;
+  UnseenRelaxation unseen;
   const auto solver = statics_solver(b.c, *b.model.system);
   auto options = relaxation_options(b.c, b.model);
   options.tolerance = tolerance;
-  e.result = relax(*b.model.system, *solver, options, e.q, silent);
+  e.result = relax(*b.model.system, *solver, options, e.q, unseen);
   EXPECT_EQ(e.result.end, RelaxationEnd::converged) << e.result.diagnosis;
   return e;
 }

@@ -14,7 +14,7 @@ constexpr double bending = 0.589 * gf * 1e-2;  // B of the twill per width [N m]
 constexpr double weight = 0.02665 * gf * 1e4;  // w [N/m²]
 
 /// Load factor at which a path first loses its stability.
-double first_fork(const TracedPath& path) {
+double first_bifurcation(const TracedPath& path) {
   EXPECT_EQ(path.result.end, PathEnd::complete) << path.result.diagnosis;
   if (path.critical.empty() || path.critical[0].kind != CriticalPoint::Kind::bifurcation) {
     ADD_FAILURE() << "no bifurcation was found";
@@ -40,7 +40,7 @@ class Buckling : public testing::TestWithParam<Model> {
 TEST_P(Buckling, StripUnderEndThrustIsWithinHalfAPercentOfEuler) {
   const double load = 0.02 * gf / 1e-2, length = 0.1;  // the case's full traction [N/m]
   const double exact = std::pow(std::numbers::pi / (2 * length), 2) * bending / load;
-  const double found = first_fork(trace(benchmark("euler_strut.toml", {model()})));
+  const double found = first_bifurcation(trace(benchmark("euler_strut.toml", {model()})));
   fmt::print("  Euler {}: load factor {:.6f}, exact {:.6f}, {:+.3f} %\n", GetParam().name, found, exact,
              100 * (found / exact - 1));
   EXPECT_NEAR(found, exact, 0.005 * exact);
@@ -50,7 +50,7 @@ TEST_P(Buckling, StripUnderEndThrustIsWithinHalfAPercentOfEuler) {
 TEST_P(Buckling, StandingStripIsWithinOnePercentOfGreenhill) {
   const double length = 0.06, zero = 1.866350858873895;
   const double exact = 2.25 * zero * zero * bending / (weight * std::pow(length, 3));
-  const double found = first_fork(trace(benchmark("greenhill.toml", {model()})));
+  const double found = first_bifurcation(trace(benchmark("greenhill.toml", {model()})));
   fmt::print("  Greenhill {}: load factor {:.6f}, exact {:.6f}, {:+.3f} %\n", GetParam().name, found, exact,
              100 * (found / exact - 1));
   EXPECT_NEAR(found, exact, 0.01 * exact);

@@ -77,7 +77,9 @@ TEST(SwingVerification, ShellFollowsTheReferenceWithTheCaseAsItStands) {
 }
 
 TEST(SwingVerification, ShellFollowsTheReferenceWithMasslessDirectors) {
-  EXPECT_LT(shell_error({"dynamics.integrator=ida", "shell.director=massless", "material.damping.bending=1e-6"}),
+  // these need a little damping, by which their rates follow from the forces
+  EXPECT_LT(shell_error({"dynamics.integrator=ida", "shell.director=massless", "material.damping.membrane=1e-6",
+                         "material.damping.bending=1e-6"}),
             0.001);
 }
 

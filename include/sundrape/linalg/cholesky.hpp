@@ -5,6 +5,8 @@
 
 namespace sundrape {
 
+class SymmetricFactor;
+
 /// Direct solution of a symmetric positive definite system by its sparse factor P A Pᵀ = L Lᵀ, ordered by minimum
 /// degree: CHOLMOD's supernodal factorisation (Chen, Davis, Hager, Rajamanickam 2008), or, in a build without CHOLMOD,
 /// Eigen's simplicial L D Lᵀ.
@@ -25,9 +27,7 @@ class Cholesky final : public LinearSolver {
   [[nodiscard]] std::optional<int> negative_pivots() const override;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
-  bool factored_ = false;
+  std::unique_ptr<SymmetricFactor> factor_;
 };
 
 }  // namespace sundrape

@@ -5,6 +5,8 @@
 
 namespace sundrape {
 
+class SymmetricFactor;
+
 /// Symmetric systems of any signature by P A Pᵀ = L D Lᵀ, with the number of negative eigenvalues read off the signs of
 /// D (Sylvester's law of inertia). Of an unsymmetric matrix it takes the symmetric part (A + Aᵀ)/2.
 ///
@@ -23,14 +25,11 @@ class Ldlt final : public LinearSolver {
   [[nodiscard]] FactorStatus factor(const BlockMatrix& matrix) override;
   [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance,
                                   double largest = std::numeric_limits<double>::infinity()) override;
-  [[nodiscard]] std::optional<int> negative_pivots() const override { return negative_pivots_; }
+  [[nodiscard]] std::optional<int> negative_pivots() const override;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<SymmetricFactor> factor_;
   const BlockMatrix* matrix_ = nullptr;  // last factored, for refinement
-  double largest_entry_ = 0;
-  std::optional<int> negative_pivots_;
 };
 
 /// Negative eigenvalues of a single matrix, or of the symmetric part of an unsymmetric one; nothing where the

@@ -13,7 +13,7 @@ namespace sundrape {
 /// passes limit points, or the load.
 enum class PathControl { arc_length, load };
 
-/// What to do where the path forks.
+/// What to do where the path bifurcations.
 enum class AtBifurcation { pass, switch_branch, stop };
 
 struct PathOptions {
@@ -29,12 +29,11 @@ struct PathOptions {
   double largest_move = 0;                      // of a node in the prediction of a step [m]; 0: no limit
   double neutral_frequency = 1e-2;              // ε of the tangent [1/s]
   double force_scale = 0;                       // see StagedEquilibrium [N]
-  bool locate = true;                           // critical points between steps
   bool fall = false;                  // where stability is lost, to the next stable equilibrium under the same load
   double push = 0;                    // along the unstable mode, to fall [m]
   RelaxationOptions relaxation = {};  // for the fall
   AtBifurcation at_bifurcation = AtBifurcation::pass;
-  int branch = 1;               // which fork: 1, the first, and so on
+  int branch = 1;               // which bifurcation: 1, the first, and so on
   double branch_amplitude = 0;  // first move along the mode, signed [m]
 };
 
@@ -47,7 +46,7 @@ struct PathPosition {
   double step_load = 0;
   double arc_length = 0;    // of that step; 0 at the start of a stage
   int step_iterations = 0;  // N_{n−1} of (20)
-  int forks = 0;            // bifurcations so far
+  int bifurcations = 0;     // bifurcations so far
   long steps = 0, iterations = 0, factorizations = 0;
 };
 
@@ -59,7 +58,7 @@ struct PathStep {
   std::optional<int> negative_pivots;  // of the tangent at its end
 };
 
-/// A state at which the tangent is singular: a limit point of the load, or a fork of the path.
+/// A state at which the tangent is singular: a limit point of the load, or a bifurcation of the path.
 struct CriticalPoint {
   enum class Kind { limit_point, bifurcation };
   Kind kind = Kind::bifurcation;

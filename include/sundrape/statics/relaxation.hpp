@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "sundrape/linalg/linear_solver.hpp"
 #include "sundrape/system/system.hpp"
@@ -35,6 +37,18 @@ class RelaxationObserver {
   virtual ~RelaxationObserver() = default;
   virtual void step(const State& all, const RelaxationStep& step) = 0;
   [[nodiscard]] virtual bool wants_to_stop() = 0;
+};
+
+/// A relaxation that nobody looks at; it can be stopped where a way to ask is given.
+class UnseenRelaxation final : public RelaxationObserver {
+ public:
+  explicit UnseenRelaxation(std::function<bool()> wants_to_stop = [] { return false; })
+      : wants_to_stop_(std::move(wants_to_stop)) {}
+  void step(const State& /*all*/, const RelaxationStep& /*step*/) override {}
+  [[nodiscard]] bool wants_to_stop() override { return wants_to_stop_(); }
+
+ private:
+  std::function<bool()> wants_to_stop_;
 };
 
 enum class RelaxationEnd { converged, stopped, stalled };

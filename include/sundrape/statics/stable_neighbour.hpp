@@ -21,4 +21,10 @@ struct StableNeighbour {
                                                         double neutral_frequency, Vector& q,
                                                         RelaxationObserver& observer);
 
+/// Relaxes a state, and goes on from equilibrium to equilibrium as above until one is stable: to where cloth falls.
+/// Parameters as above; q need not be an equilibrium.
+[[nodiscard]] StableNeighbour relax_until_stable(const System& system, LinearSolver& solver,
+                                                 const RelaxationOptions& options, double push,
+                                                 double neutral_frequency, Vector& q, RelaxationObserver& observer);
+
 }  // namespace sundrape
