@@ -87,7 +87,7 @@ bool picks_the_same(const Case& c, const QuadMesh& fine, const QuadMesh& coarse)
 
 double longest_edge(const Case& c, const CaseModel& model) {
   const double bending = std::max(c.fabric.warp_bending, c.fabric.weft_bending);
-  const double bending_length = std::cbrt(bending / (c.fabric.area_density * model.gravity));
+  const double bending_length = std::cbrt(bending / model.area_weight);
   return bending_length * (c.model == Model::shell ? longest_shell_edge : longest_net_edge);
 }
 

@@ -1,11 +1,11 @@
 #include "sundrape/app/end_state.hpp"
 
 #include <array>
-#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "sundrape/app/last_shape.hpp"
+#include "sundrape/app/solver_choice.hpp"
 #include "sundrape/statics/relaxation.hpp"
 #include "sundrape/statics/stability.hpp"
 
@@ -41,9 +41,8 @@ EndState weigh(const CaseModel& model, Vector q) {
   state.energy = {{"membrane", e.membrane}, {"shear", e.shear},     {"bending", e.bending},
                   {"gravity", e.gravity},   {"contact", e.contact}, {"load", e.load}};
   state.total_energy = e.stored();
-  const double weight = model.system->mass().head(model.mesh.nodes()).sum() * model.gravity;
-  state.residual = relative_residual(*model.system, all, weight);
-  state.negative_pivots = negative_pivots(*model.system, all, 1e-3 / std::sqrt(model.size / model.gravity));
+  state.residual = relative_residual(*model.system, all, model.nominal_weight());
+  state.negative_pivots = negative_pivots(*model.system, all, neutral_frequency(model));
   for (const auto& probe : model.probes) state.probes[probe.name] = point(state.q, probe.node);
   for (const auto& set : model.reactions) state.reactions[set.name] = reaction(model, all, set.nodes).force;
   return state;

@@ -36,8 +36,7 @@ Vector last_state(const ResultReader& result, const CaseModel& model) {
   const auto n = positions.size();
   if (model.has_directors() && directors.empty()) {
     std::vector<Vector3> placed;
-    for (const auto& x : model.mesh.reference)
-      placed.emplace_back(model.placement.rotation * x + model.placement.translation);
+    for (const auto& x : model.mesh.reference) placed.emplace_back(model.placement(x));
     directors = rest_directors(model.mesh);
     for (auto& d : directors) d = model.placement.rotation * d;
     directors = carried_directors(model.mesh, directors, placed, positions);

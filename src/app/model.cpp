@@ -163,6 +163,7 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
   }
   model.weight = sheet.mass.head(model.mesh.nodes()).sum() * gravity.norm();
   model.gravity = gravity.norm() > 0 ? gravity.norm() : 9.80665;
+  model.area_weight = c.fabric.area_density * model.gravity;
 }
 
 void add_contact(const Case& c, CaseModel& model, Terms& terms) {
@@ -173,12 +174,11 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
     obstacles.push_back(std::move(built.obstacle));
     model.obstacles.push_back(std::move(built.record));
   }
-  const double weight_per_area = c.fabric.area_density * model.gravity;
   // finer nets spread a load over several points
   const double part_of_bending_length =
-      0.125 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / weight_per_area);
+      0.125 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / model.area_weight);
   const double stiffness = c.contact.stiffness.value_or(suggested_stiffness(
-      {.weight_per_area = weight_per_area,
+      {.weight_per_area = model.area_weight,
        .diagonal = diagonal(model.mesh),
        .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, part_of_bending_length)},
       c.contact.penetration));
@@ -246,10 +246,10 @@ constexpr double director_rate_slack = 100;
 }  // namespace
 
 std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
-  const auto [rotation, translation] = placement(place);
+  const auto stands = placement(place);
   std::vector<Vector3> placed;
   placed.reserve(rest.size());
-  for (const auto& x : rest) placed.emplace_back(rotation * x + translation);
+  for (const auto& x : rest) placed.emplace_back(stands(x));
   return placed;
 }
 
@@ -295,7 +295,7 @@ CaseModel build_model(const Case& c) {
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
   if (model.contact != nullptr && !c.cloth.start)
-    lay_on_obstacles(*model.contact, first_share(c) * c.fabric.area_density * model.gravity, supports, start);
+    lay_on_obstacles(*model.contact, first_share(c) * model.area_weight, supports, start);
   auto points = start;
   if (model.has_directors()) {
     const auto carried = earlier.directors.empty()

@@ -167,9 +167,7 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
                 .dissipated = balance.dissipated,
                 .external_work = balance.external_work,
                 .method_dissipated = balance.method_dissipated};
-  f.residual = residual ? *residual
-                        : relative_residual(*model_.system, all,
-                                            case_.fabric.area_density * model_.gravity * model_.size * model_.size);
+  f.residual = residual ? *residual : relative_residual(*model_.system, all, model_.force_scale());
   f.negative_pivots = negative_pivots.value_or(-1);
   if (model_.contact) {
     const Vector still = Vector::Zero(all.v.size());

@@ -61,7 +61,7 @@ PathOptions path_options(const Case& c, const CaseModel& model) {
   o.size = model.size;
   o.largest_move = a.largest_move.value_or(model.size / 10);
   o.neutral_frequency = neutral_frequency(model);
-  o.force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
+  o.force_scale = model.force_scale();
   o.fall = a.fall;
   o.push = push_of_unstable(model);
   o.relaxation = relaxation_options(c, model);
@@ -87,7 +87,7 @@ RelaxationOptions relaxation_options(const Case& c, const CaseModel& model) {
   o.max_iterations = r.max_iterations.value_or(o.max_iterations);
   o.first_step = r.first_step.value_or(o.first_step);
   o.growth = r.growth;
-  o.force_scale = c.fabric.area_density * model.gravity * model.size * model.size;
+  o.force_scale = model.force_scale();
   o.largest_rise = 0.05 * o.force_scale * model.size;
   return o;
 }

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@
 
 #include "case_document.hpp"
 #include "fabric_library.hpp"
+#include "read_text.hpp"
 
 namespace sundrape {
 namespace {
@@ -76,9 +76,13 @@ toml::table read_fabric(const toml::node& name, const std::filesystem::path& fol
                     fmt::format("there is no fabric '{}'; {}available: {}", written,
                                 near.empty() ? "" : fmt::format("did you mean '{}'? ", near), fmt::join(names, ", ")));
   }
-  std::ifstream stream(*file, std::ios::binary);
-  if (!stream) throw CaseError(here, fmt::format("{} cannot be read", file->string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const auto text = [&] {
+    try {
+      return read_text(*file);
+    } catch (const std::system_error&) {
+      throw CaseError(here, fmt::format("{} cannot be read", file->string()));
+    }
+  }();
   toml::table fabric = parse_toml(text, file->string());
   if (const auto* again = fabric.get("fabric"))
     throw CaseError(source_line(again->source(), "fabric", here), "a fabric cannot name another one");

@@ -22,6 +22,14 @@ struct SelectorText {
   }
 };
 
+/// Names of the axes that are set, quoted, with `prefix` before each.
+std::vector<std::string> axis_names(const std::array<bool, 3>& axes, std::string_view prefix = "") {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (axes[i]) names.push_back(fmt::format("\"{}{}\"", prefix, "xyz"[i]));
+  return names;
+}
+
 void describe_stages(CaseDescription& out, const std::vector<double>& stages) {
   if (stages != std::vector<double>{1}) out.numbers("stages", stages);
 }
@@ -32,12 +40,11 @@ void describe_fix(CaseDescription& out, const FixCase& fix, std::size_t index) {
   out.enter("fix", fmt::format("fix.{}", index));
   out.text("name", fix.name);
   out.verbatim("nodes", std::visit(SelectorText{}, fix.nodes));
-  std::vector<std::string> held;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (fix.components[i]) held.push_back(fmt::format("\"{}\"", "xyz"[i]));
-  if (fix.rotation) held.emplace_back("\"rotation\"");
-  for (std::size_t i = 0; i < 3; ++i)
-    if (fix.director[i] && !fix.rotation) held.push_back(fmt::format("\"director-{}\"", "xyz"[i]));
+  auto held = axis_names(fix.components);
+  if (fix.rotation)
+    held.emplace_back("\"rotation\"");
+  else
+    for (auto& name : axis_names(fix.director, "director-")) held.push_back(std::move(name));
   out.verbatim("components", fmt::format("[{}]", fmt::join(held, ", ")));
 }
 
@@ -45,10 +52,7 @@ void describe_motion(CaseDescription& out, const MotionCase& motion, std::size_t
   out.enter("motion", fmt::format("motion.{}", index));
   out.text("name", motion.name);
   out.verbatim("nodes", std::visit(SelectorText{}, motion.nodes));
-  std::vector<std::string> carried;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (motion.components[i]) carried.push_back(fmt::format("\"{}\"", "xyz"[i]));
-  out.verbatim("components", fmt::format("[{}]", fmt::join(carried, ", ")));
+  out.verbatim("components", fmt::format("[{}]", fmt::join(axis_names(motion.components), ", ")));
   describe_stages(out, motion.stages);
   const auto path = fmt::format("motion.{}.path", index);
   if (const auto* arc = std::get_if<ArcPath>(&motion.path)) {

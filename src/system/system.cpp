@@ -76,9 +76,15 @@ void System::hold(BlockMatrix& matrix, double value) const {
 
 Energies System::energies(const State& all) const {
   Energies e;
-  for (int i = 0; i < mass_.size(); ++i) e.kinetic += 0.5 * mass_[i] * point(all.v, i).squaredNorm();
+  e.kinetic = kinetic_energy(all);
   for (const auto& term : terms_) term->add_energies(all, e);
   return e;
+}
+
+double System::kinetic_energy(const State& all) const {
+  double kinetic = 0;
+  for (int i = 0; i < mass_.size(); ++i) kinetic += 0.5 * mass_[i] * point(all.v, i).squaredNorm();
+  return kinetic;
 }
 
 double System::dissipated_power(const State& all) const {

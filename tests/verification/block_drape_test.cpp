@@ -25,7 +25,8 @@ TEST(BlockDrape, FirstStepIsTheArticlesTable) {
   print(first);
   const std::vector<double> table{2.5e-4, 5.20361759e-4, 4.76908770e-4, 4.76692968e-4, 4.76863579e-4};
   ASSERT_GE(first.size(), table.size());
-  for (std::size_t k = 0; k < table.size(); ++k)  // other elements: 1 % on the way, 0.2 % where it has converged
+  // Our own membrane fields differ by 1.0 % among themselves at the second iterate and by 0.6 % where it has converged.
+  for (std::size_t k = 0; k < table.size(); ++k)
     EXPECT_NEAR(first[k].load_factor, table[k], (k < 2 ? 0.01 : 0.0025) * table[k]) << "iteration " << k + 1;
 }
 

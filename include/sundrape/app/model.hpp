@@ -27,6 +27,7 @@ struct CaseModel {
   struct Placement {
     Matrix3 rotation = Matrix3::Identity();
     Vector3 translation = Vector3::Zero();  // [m]
+    [[nodiscard]] Vector3 operator()(const Vector3& x) const { return rotation * x + translation; }
   };
 
   QuadMesh mesh;
@@ -44,9 +45,15 @@ struct CaseModel {
   std::vector<ReactionSet> reactions;
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
-  double size = 0;     // longest side of the rest shape's bounding box [m]
-  double gravity = 0;  // |acceleration| [m/s²]; 9.80665 where there is no gravity
-  double weight = 0;   // mass times |gravity load| [N]
+  double size = 0;         // longest side of the rest shape's bounding box [m]
+  double gravity = 0;      // |acceleration| [m/s²]; 9.80665 where there is no gravity
+  double weight = 0;       // mass times |gravity load| [N]
+  double area_weight = 0;  // of the fabric under `gravity` [N/m²]
+
+  /// What forces are compared with where nothing loads the cloth [N].
+  [[nodiscard]] double force_scale() const { return area_weight * size * size; }
+  /// Of all nodes under `gravity`, whether that acts or not [N].
+  [[nodiscard]] double nominal_weight() const { return system->mass().head(mesh.nodes()).sum() * gravity; }
 
   [[nodiscard]] bool has_directors() const { return director_length > 0; }
   /// The part of a vector of all points that belongs to the nodes, 3N.

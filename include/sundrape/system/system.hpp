@@ -49,6 +49,7 @@ class System {
   void hold(BlockMatrix& matrix, double value) const;
 
   [[nodiscard]] Energies energies(const State& all) const;
+  [[nodiscard]] double kinetic_energy(const State& all) const;    // [J]
   [[nodiscard]] double dissipated_power(const State& all) const;  // [W]
   [[nodiscard]] double external_power(const State& all) const;    // [W]
   /// |forces of loads and gravity| over the unknowns [N]: what the out-of-balance force is compared with.
