@@ -6,8 +6,8 @@ Clapp 1996).
     python3 docs/figures/block_modes.py build/release/sundrape cases/block_drape.toml -o docs/images/block_modes.png
 
 runs the perfect sheet up to its first bifurcation for 5 rigidities and 5 ratios, two at a time (half a minute); --full takes 9
-and 10. A sheet that reaches its whole weight is stable all the way: the large-deflection mode is its only one near by. Where
-the path forks before, it buckles: several modes exist.
+and 10. A sheet that reaches its whole weight is stable all the way, in the large-deflection mode: the article's stable area.
+Where its path has a bifurcation before, there are buckling modes beside it: the article's area of multiple solutions.
 """
 import argparse
 import concurrent.futures
@@ -69,8 +69,8 @@ def main():
             axes.plot(b / LENGTH, d, "o" if stable else "v", markersize=13, color="#1f3b73" if stable else "#dd8452")
             if not stable:
                 axes.annotate(f"{loads[d, b]:.2g}", (b / LENGTH, d), textcoords="offset points", xytext=(9, 4), fontsize=7)
-    axes.plot([], [], "o", color="#1f3b73", label="stable under its whole weight: large-deflection mode")
-    axes.plot([], [], "v", color="#dd8452", label="buckles at this part of its weight: several modes")
+    axes.plot([], [], "o", color="#1f3b73", label="stable area: the large-deflection mode alone")
+    axes.plot([], [], "v", color="#dd8452", label="multiple solutions: buckles at this part of its weight")
     axes.axhline(POLYESTER, color="black", linewidth=0.8, linestyle=":", label="polyester plain weave, 10 in")
     axes.set(yscale="log", xlabel="edge ratio b/L", ylabel="bending rigidity D / (w L³)", xlim=(0.05, 1.08))
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, 1.24), fontsize=8, frameon=False)

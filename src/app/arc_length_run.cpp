@@ -30,6 +30,8 @@ double work_between(const System& system, const State& before, const State& afte
   return work;
 }
 
+constexpr int most_kept_warnings = 10;  // of a path's, in the result
+
 std::string critical_text(const CriticalPoint& point) {
   const bool limit = point.kind == CriticalPoint::Kind::limit_point;
   return fmt::format("{} at load factor {:.6g} ± {:.1g} of stage {}: {} -> {} negative pivots",
@@ -99,6 +101,10 @@ class Watch final : public PathObserver {
   }
 
   void remark(const std::string& text) override { progress_.say(text); }
+  void warn(const std::string& text) override {
+    progress_.say("warning: " + text);
+    if (++warnings_ <= most_kept_warnings) recorder_.warn(text);
+  }
   [[nodiscard]] bool wants_to_stop() override { return stop_.wanted(); }
   [[nodiscard]] bool out_of_time() const { return stop_.out_of_time(); }
   [[nodiscard]] int critical_points() const { return critical_points_; }
@@ -163,7 +169,7 @@ class Watch final : public PathObserver {
   StopRequest stop_;
   PathStep last_;
   long framed_ = -1;
-  int critical_points_ = 0;
+  int critical_points_ = 0, warnings_ = 0;
 };
 
 }  // namespace

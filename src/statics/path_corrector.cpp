@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace sundrape {
 namespace {
@@ -35,9 +36,12 @@ bool correct(StageSolver& s, PathPoint& at, const Vector& residual, LoadFor load
 template <class Advance>
 Correction iterate(StageSolver& s, PathPoint& at, const ResidualReport& report, Advance advance) {
   Correction c;
+  double before = std::numeric_limits<double>::infinity();
   for (;; ++c.iterations) {
     const Vector residual = s.equations.out_of_balance(at.q, at.load_factor);
     c.residual = residual.norm() / s.equations.force_scale(at.q, at.load_factor);
+    if (c.residual > before) ++c.rises;
+    before = c.residual;
     if (report) report(c.iterations + 1, at.load_factor, c.residual);
     if (!std::isfinite(c.residual) || c.residual > hopeless) return c;
     if (c.residual <= s.options.tolerance) {

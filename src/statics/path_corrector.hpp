@@ -34,6 +34,7 @@ struct Correction {
   bool converged = false;
   int iterations = 0;
   double residual = 0;  // at the end
+  int rises = 0;        // iterations that ended with a larger residual than they began with
 };
 
 /// Told about every residual: iteration from 1 on, load factor, |out-of-balance force| / |loads|.

@@ -19,6 +19,9 @@ constexpr int cuts_for_a_kink = 4;  // that far a step is halved because it turn
 constexpr double same_load = 1e-9;  // load factors closer than this are one
 constexpr double least_cosine =
     0.5;  // between a step and its prediction: one that turns further may have left the path
+constexpr double farthest =
+    3;                      // times its prediction that a step may move: one to a limit point of the load moves twice
+constexpr int erratic = 5;  // rises of the residual in one step: as the article tells its buckling mode (table 1)
 constexpr double largest_load = 100;  // a path that gets so far beyond its full load will not come back
 
 }  // namespace
@@ -75,13 +78,22 @@ StageFollower::Failure StageFollower::step() {
     return stall("the tangent stiffness is singular",
                  "hold what can move freely, or start from a smaller first_load_increment so that the cloth stiffens "
                  "before it moves far");
+  if (at_.arc_length == 0 && solver_.tangent.neutral_part(by_load_) > 0.5) {
+    if (options_.fall) return fall_further(0);
+    return stall("the tangent stiffness is singular: nothing resists the motion that the load begins",
+                 "hold what can move freely; where the cloth swings down first, start from where it hangs (cloth.start "
+                 "= the result of a relaxation), or take arc-length.when_unstable = \"fall\"");
+  }
   const double norm = std::sqrt(solver_.dot(by_load_, 1, by_load_, 1));
   const bool first = at_.arc_length == 0;
-  // a stable path leads to more load; where it ends, cloth falls
-  const double sense = forward_ || options_.fall ? 1 : -1;
+  // a stable path leads to more load; where it ends, cloth falls, and load steps find what they find
+  const bool onwards = options_.fall || options_.control == PathControl::load;
+  const double sense = forward_ || onwards ? 1 : -1;
   double length = predicted_length(norm);
   const double intended = length / norm;
-  for (int cuts = 0; cuts <= most_cuts; ++cuts, length /= 2) {
+  // under load control forces that differ by less than the tolerance are the same
+  const double least = options_.control == PathControl::load ? options_.tolerance * norm : 0;
+  for (int cuts = 0; cuts <= most_cuts && length > least; ++cuts, length /= 2) {
     double load = sense * length / norm;
     if (at_.load_factor + load > 1) load = 1 - at_.load_factor;  // not further than the full load
     PathPoint to = here();
@@ -94,7 +106,9 @@ StageFollower::Failure StageFollower::step() {
     if (found.converged && !first && cuts < cuts_for_a_kink && strays(to, sense)) found.converged = false;
     if (found.converged && options_.fall && to.load_factor <= at_.load_factor) found.converged = false;
     if (found.converged) {
+      const double predicted = std::abs(load) * by_load_.cwiseAbs().maxCoeff();
       accept(to, found, cuts, std::abs(load) * norm);
+      if (first || options_.control == PathControl::load) doubt(found, predicted, first);
       return after_step();
     }
     if (observer_.wants_to_stop()) return PathResult{PathEnd::stopped, ""};
@@ -199,7 +213,7 @@ StageFollower::Failure StageFollower::meet_critical_points() {
   };
   const auto unexplained = each_critical_point(solver_, before_, after, forward_ != was_forward_, met);
   if (unexplained)
-    observer_.remark(fmt::format(
+    observer_.warn(fmt::format(
         "negative pivots change from {} to {} between load factors {:.6g} and {:.6g} of stage {}, but no "
         "path between these was found: the step may have jumped to another branch; smaller steps "
         "(first_load_increment, largest_move) tell",
@@ -252,6 +266,21 @@ StageFollower::Failure StageFollower::fall_further(double increment) {
   fall_increment_ = std::max({increment, first_increment_, 2 * fall_increment_});  // one fall may follow another
   short_steps_ = 0;
   return fall(std::min(1.0, at_.load_factor + fall_increment_));
+}
+
+void StageFollower::doubt(const Correction& found, double predicted, bool first) {
+  const double moved = at_.step_q.cwiseAbs().maxCoeff();
+  const bool far = moved > farthest * predicted;
+  if (!far && found.rises < erratic) return;
+  const auto sign = far ? fmt::format("moved by up to {:.3g} mm, of {:.3g} mm predicted", 1e3 * moved, 1e3 * predicted)
+                        : fmt::format("converged erratically: its residual rose in {} of {} iterations", found.rises,
+                                      found.iterations);
+  observer_.warn(
+      fmt::format("the {}step to load factor {:.6g} of stage {} {}; it may have left the path for another "
+                  "branch: {}",
+                  first ? "first " : "", at_.load_factor, at_.stage, sign,
+                  first ? "a smaller arc-length.first_load_increment tells"
+                        : "arc-length.control = \"arc-length\" follows the path past limits of the load"));
 }
 
 void StageFollower::begin_anew() {

@@ -40,6 +40,9 @@ class StageFollower {
   Failure fall(double load_factor);
   /// The same under more load than here, where the path creeps or ends.
   Failure fall_further(double increment);
+  /// Says so if the last step may have left the path.
+  /// @param predicted  largest move of a coordinate [m]
+  void doubt(const Correction& found, double predicted, bool first);
   /// What comes next is a first step, towards more load.
   void begin_anew();
 

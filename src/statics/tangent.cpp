@@ -1,5 +1,7 @@
 #include "sundrape/statics/tangent.hpp"
 
+#include <cmath>
+
 #include "sundrape/linalg/cholesky.hpp"
 #include "sundrape/linalg/ldlt.hpp"
 #include "sundrape/linalg/lu.hpp"
@@ -50,6 +52,14 @@ std::optional<int> Tangent::negative_pivots() {
     ldlt_current_ = true;
   }
   return ldlt_->negative_pivots();
+}
+
+double Tangent::neutral_part(const Vector& x) const {
+  double shift = 0;
+  for (int r = 0; r < static_cast<int>(shift_.size()); ++r) shift += shift_[r] * point(x, r).squaredNorm();
+  Vector product(x.size());
+  matrix_.multiply(x, product);
+  return shift / std::abs(x.dot(product));
 }
 
 }  // namespace sundrape

@@ -13,7 +13,7 @@ struct Trace final : PathObserver {
   std::vector<PathPosition> steps;
   std::vector<PathStep> reports;
   std::vector<CriticalPoint> critical;
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks, warnings;
   int iterations = 0, stop_after = -1;
 
   void step(const PathPosition& at, const PathStep& step) override {
@@ -23,6 +23,7 @@ struct Trace final : PathObserver {
   void iteration(const PathPosition&, int, double, double) override { ++iterations; }
   void critical_point(const CriticalPoint& point) override { critical.push_back(point); }
   void remark(const std::string& text) override { remarks.push_back(text); }
+  void warn(const std::string& text) override { warnings.push_back(text); }
   bool wants_to_stop() override { return static_cast<int>(steps.size()) == stop_after; }
 };
 
@@ -85,6 +86,46 @@ TEST(EquilibriumPath, LoadStepsSnapToTheOnlyEquilibriumBeyondTheLimitPoint) {
     EXPECT_GT(trace.steps[k].load_factor, trace.steps[k - 1].load_factor);
   EXPECT_NEAR(truss.load(at.q[8]), truss.full_load, 1e-9);
   EXPECT_LT(at.q[8], -truss.rise);
+  ASSERT_EQ(trace.warnings.size(), 1U);  // of the snap
+  EXPECT_NE(trace.warnings[0].find("may have left the path"), std::string::npos) << trace.warnings[0];
+}
+
+TEST(EquilibriumPath, LoadStepsGoTowardsMoreLoadInEveryStage) {
+  const Truss truss;
+  const auto system = truss.system({1, -1});
+  auto options = truss_options(truss);
+  options.control = PathControl::load;
+  options.largest_move = 0;
+  options.stages = 2;
+  PathPosition at{.q = truss.start()};
+  Trace trace;
+  const auto result = follow_path(system, options, at, trace);
+  ASSERT_EQ(result.end, PathEnd::complete) << result.diagnosis;
+  EXPECT_NEAR(truss.load(at.q[8]), -truss.full_load, 1e-9);
+  EXPECT_GT(at.q[8], truss.rise);
+  EXPECT_FALSE(trace.warnings.empty());
+}
+
+// Two bars in line, and a load across them: for small motions nothing resists it.
+TEST(EquilibriumPath, SaysThatNothingResistsTheLoad) {
+  const Truss flat{.rise = 0};
+  const auto system = flat.system();
+  auto options = truss_options(flat);
+  options.largest_move = 0;
+  PathPosition at{.q = flat.start()};
+  Trace trace;
+  auto result = follow_path(system, options, at, trace);
+  EXPECT_EQ(result.end, PathEnd::stalled);
+  EXPECT_NE(result.diagnosis.find("nothing resists"), std::string::npos) << result.diagnosis;
+  EXPECT_EQ(at.load_factor, 0);
+
+  options.fall = true;
+  options.relaxation.tolerance = 1e-10;
+  options.tolerance = 1e-8;
+  at = {.q = flat.start()};
+  result = follow_path(system, options, at, trace);
+  ASSERT_EQ(result.end, PathEnd::complete) << result.diagnosis;
+  EXPECT_NEAR(flat.load(at.q[8]), flat.full_load, 1e-7);
 }
 
 TEST(EquilibriumPath, WhereItMayFallTheTrussSnapsUnderTheLoadThatItCannotBear) {

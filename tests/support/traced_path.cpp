@@ -16,6 +16,7 @@ class Notes final : public PathObserver {
   }
   void critical_point(const CriticalPoint& point) override { path_.critical.push_back(point); }
   void remark(const std::string& text) override { path_.remarks.push_back(text); }
+  void warn(const std::string& text) override { path_.warnings.push_back(text); }
   [[nodiscard]] bool wants_to_stop() override { return false; }
 
  private:

@@ -21,7 +21,7 @@ struct TracedPath {
   std::vector<Step> steps;
   std::vector<Iteration> iterations;
   std::vector<CriticalPoint> critical;
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks, warnings;
 };
 [[nodiscard]] TracedPath trace(const Benchmark& b);
 

@@ -76,8 +76,10 @@ class PathObserver {
   /// A residual on the way to the next equilibrium; iteration 1 is the prediction.
   virtual void iteration(const PathPosition& from, int iteration, double load_factor, double residual) = 0;
   virtual void critical_point(const CriticalPoint& point) = 0;
-  /// Something that the user should know.
+  /// Something that happened on the way.
   virtual void remark(const std::string& text) = 0;
+  /// Something that casts doubt on the path from here on.
+  virtual void warn(const std::string& text) = 0;
   [[nodiscard]] virtual bool wants_to_stop() = 0;
 };
 
@@ -97,8 +99,10 @@ struct PathResult {
 /// depend on the unit; the minus that (19) lacks is put in; γ multiplies the last step's length, since a factor on the
 /// first one could never reach the paper's 1994 steps in 45. Where a step diverges it is halved (4.1).
 /// Negative pivots are counted at every step; where they change the critical point between is located.
-/// A change of pivots that no critical point on the way explains is remarked on: the step may have jumped to another
-/// branch.
+/// Two signs that a step may have jumped to another branch are warned of: a change of pivots that no critical point on
+/// the way explains, and, where the step's length was not held (the first one of a stage, and load control), a move
+/// three times as far as predicted, or a residual that rises again and again (by which the article tells its buckling
+/// mode).
 [[nodiscard]] PathResult follow_path(const System& system, const PathOptions& options, PathPosition& at,
                                      PathObserver& observer);
 

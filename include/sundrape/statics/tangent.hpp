@@ -24,6 +24,9 @@ class Tangent {
   /// that cannot be told.
   [[nodiscard]] std::optional<int> negative_pivots();
 
+  /// Which part of the resistance to a motion of the rows, x·(K + ε² M)x, is none of K's: near 1 where nothing resists.
+  [[nodiscard]] double neutral_part(const Vector& x) const;
+
   [[nodiscard]] const BlockMatrix& matrix() const { return matrix_; }
   [[nodiscard]] long factorizations() const { return factorizations_; }
 
