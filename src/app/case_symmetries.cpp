@@ -9,6 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include "sundrape/mesh/directors.hpp"
 #include "sundrape/mesh/symmetries.hpp"
@@ -167,6 +168,54 @@ std::optional<Vector3> neutral_pivot(const CaseModel& model, const std::vector<V
   return std::nullopt;
 }
 
+/// Upright planes across which a case could be its own mirror image: through what is held, through possible pivots.
+std::vector<std::pair<Vector3, Vector3>> possible_mirrors(const CaseModel& model) {
+  std::vector<std::pair<Vector3, Vector3>> mirrors;  // point, normal
+  std::vector<Vector3> held;
+  for (int p = 0; p < model.mesh.nodes(); ++p)
+    if (model.system->unknowns().is_held(p, 0) || model.system->unknowns().is_held(p, 1))
+      held.emplace_back(point(model.initial, p));
+  for (const auto& x : held) {
+    const Vector3 normal = Vector3::UnitZ().cross(x - held.front());
+    if (normal.norm() < 1e-3 * model.size) continue;
+    mirrors.emplace_back(x, normal.normalized());
+    break;
+  }
+  for (const auto& pivot : possible_pivots(model))
+    for (int k = 0; k < 2; ++k) mirrors.emplace_back(pivot, Vector3::Unit(k));
+  return mirrors;
+}
+
+/// A mirror of space that leaves every node its place in the sheet, as none of the sheet's own symmetries does to
+/// space; nothing if the case has none.
+std::optional<PointMap> mirror_of_space(const CaseModel& model, const std::vector<PointMap>& own,
+                                        const std::vector<Vector>& trials) {
+  for (const auto& [at, normal] : possible_mirrors(model)) {
+    auto map = rigid(model, Matrix3::Identity() - 2 * normal * normal.transpose(), at);
+    const bool known =
+        std::ranges::any_of(own, [&](const PointMap& m) { return m.rotation.isApprox(map.rotation, 1e-6); });
+    if (!known && is_symmetry(model, map, trials)) return map;
+  }
+  return std::nullopt;
+}
+
+/// Of two maps one after the other; nothing where together they leave no point in place.
+std::optional<PointMap> after(const PointMap& second, const PointMap& first, double size) {
+  PointMap map = second;
+  map.rotation = second.rotation * first.rotation;
+  const auto moved = [](const PointMap& m, const Vector3& x) -> Vector3 {
+    return m.rotation * (x - m.centre) + m.centre;
+  };
+  const Vector3 shift = moved(second, moved(first, Vector3::Zero()));
+  const Eigen::MatrixXd change = Matrix3::Identity() - map.rotation;
+  map.centre = change.completeOrthogonalDecomposition().solve(Eigen::VectorXd(shift));
+  if ((map.centre - map.rotation * map.centre - shift).norm() > 1e-9 * size) return std::nullopt;
+  for (std::size_t p = 0; p < map.image.size(); ++p)
+    map.image[p] = second.image[static_cast<std::size_t>(first.image[p])];
+  map.side = second.side * first.side;
+  return map;
+}
+
 }  // namespace
 
 CaseSymmetries find_case_symmetries(const CaseModel& model, std::span<const Vector> visited) {
@@ -178,6 +227,10 @@ CaseSymmetries find_case_symmetries(const CaseModel& model, std::span<const Vect
     // The identity holds whatever round-off says.
     if (found.maps.empty() || is_symmetry(model, map, trials)) found.maps.push_back(std::move(map));
   }
+  // the mirror image of a sheet is a sheet: where space has another mirror, each of these has a partner
+  if (const auto mirror = mirror_of_space(model, found.maps, trials))
+    for (std::size_t k = 0, own = found.maps.size(); k < own; ++k)
+      if (auto map = after(found.maps[k], *mirror, model.size)) found.maps.push_back(std::move(*map));
   found.neutral.slides = neutral_slides(model, trials);
   found.neutral.pivot = neutral_pivot(model, trials);
   return found;

@@ -42,11 +42,13 @@ TEST(CaseSymmetries, AreThoseOfTheSheetThatItsTableHasToo) {
 TEST(CaseSymmetries, AreThoseThatSupportsLeave) {
   const std::string all = R"(["x", "y", "z"])";
   for (const std::string model : {"particle", "shell"}) {
-    EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", all), model).maps.size(), 2U) << model;  // the diagonal
+    // the diagonal; and a sheet on the other side of its corner
+    EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", all), model).maps.size(), 2U * 2U) << model;
     EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", all) + pin("[-0.04, -0.04, 0]", all), model).maps.size(), 4U) << model;
-    EXPECT_EQ(of(square, "[[fix]]\nnodes = \"left\"\n", model).maps.size(), 2U) << model;
-    // held in x alone, which the diagonal would turn into y
-    EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", R"(["x", "z"])") + centre_pin, model).maps.size(), 1U) << model;
+    // a director across the edge leaves open which side the sheet is on; the slope of a net does not
+    EXPECT_EQ(of(square, "[[fix]]\nnodes = \"left\"\n", model).maps.size(), model == "shell" ? 4U : 2U) << model;
+    // held in x alone, which the diagonal would turn into y; that leaves the mirror y -> -y of space
+    EXPECT_EQ(of(square, pin("[0.04, 0.04, 0]", R"(["x", "z"])") + centre_pin, model).maps.size(), 2U) << model;
   }
 }
 
@@ -77,6 +79,26 @@ TEST(CaseSymmetries, GoWithThePlaceOfTheSheet) {
                             "place = { translate = [1, 2, -0.01], rotate = { axis = [0, 0, 1], angle = 0.4 } }\n");
   EXPECT_EQ(found.maps.size(), 8U);
   EXPECT_LT((found.maps.back().centre - Vector3(1, 2, 0)).norm(), 1e-12);
+}
+
+// Held at two corners, a tilted sheet hangs to one side or to the other: mirror images across the plane of the corners,
+// which is none of the sheet's own.
+TEST(CaseSymmetries, HaveTheMirrorThatATiltedSheetHangsIn) {
+  const std::string tilted = square + "\nplace = { rotate = { axis = [1, 0, 0], angle = 1.0 } }";
+  const std::string corners =
+      "[[fix]]\nnodes = \"top_left\"\ncomponents = [\"x\", \"y\", \"z\"]\n"
+      "[[fix]]\nnodes = \"top_right\"\ncomponents = [\"x\", \"y\", \"z\"]\n";
+  for (const std::string kind : {"particle", "shell"}) {
+    const auto model = samples::model_of("model = \"" + kind + "\"\n" + samples::sheet_case(corners, tilted));
+    const auto symmetries = find_case_symmetries(model);
+    EXPECT_EQ(symmetries.maps.size(), 4U) << kind;  // left and right change places or not, and both mirrored
+    const int corner = model.reactions.front().nodes.front();
+    Vector mirrored = model.initial;
+    for (int p = 0; p < static_cast<int>(mirrored.size() / 3); ++p)
+      mirrored[3 * p + 1] = (p < model.mesh.nodes() ? 2 * model.initial[3 * corner + 1] : 0) - mirrored[3 * p + 1];
+    EXPECT_GT((mirrored - model.initial).norm(), 0.1);
+    EXPECT_LT(shape_distance(symmetries, model.mesh.nodes(), model.initial, mirrored).rms, 1e-12) << kind;
+  }
 }
 
 TEST(NeutralMotions, OfAFreeSheetOnATable) {

@@ -24,7 +24,9 @@ struct CaseSymmetries {
 };
 
 /// The symmetries of a case, found by trying: of the sheet's own symmetries, placed as the sheet is, those that leave
-/// the supports as they are and that the total force follows, f(g q) = g f(q), to 1e-6 of it at every trial state.
+/// the supports as they are and that the total force follows, f(g q) = g f(q), to 1e-6 of it at every trial state;
+/// and each of these after a mirror of space that is none of theirs (an upright plane through what is held, or through
+/// the middle of the sheet, an obstacle or a support), if the case has one: a tilted sheet that hangs from two points.
 ///
 /// The trial states are the start under small and under large random displacements, and the given states under
 /// small ones: forces of obstacles that none of them touches are not seen.
