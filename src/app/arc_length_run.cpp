@@ -188,7 +188,7 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
   }
   watch.start_from(at);
 
-  const auto result = follow_path(system, options, at, watch);
+  auto result = follow_path(system, options, at, watch);
 
   recorder.statistic("path_steps", static_cast<std::int64_t>(at.steps), "accepted steps of the path");
   recorder.statistic("newton_iterations", static_cast<std::int64_t>(at.iterations),
@@ -201,7 +201,11 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
   AnalysisEnd end;
   const auto where = fmt::format("load factor {:.6g} of stage {}", at.load_factor, at.stage);
   if (result.end == PathEnd::complete) {
-    int pivots = watch.last().negative_pivots.value_or(-1);
+    auto known = watch.last().negative_pivots;
+    if (!known)  // resumed at its end
+      known = negative_pivots(system, {at.load_factor, at.q, Vector::Zero(at.q.size()), at.stage},
+                              options.neutral_frequency);
+    int pivots = known.value_or(-1);
     if (pivots > 0 && c.arc_length.relax_unstable) {
       UnseenRelaxation unseen([&] { return watch.wants_to_stop(); });
       Vector q = at.q;
@@ -215,16 +219,19 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
         pivots = fallen.pivots.value_or(-1);
         at.q = q;
         watch.frame(at, {.residual = fallen.result.residual, .negative_pivots = fallen.pivots});
+      } else if (fallen.result.end == RelaxationEnd::stopped) {
+        result.end = PathEnd::stopped;
       } else {
         recorder.warn("the unstable equilibrium at the end was kept: " + fallen.result.diagnosis);
       }
     }
-    if (pivots > 0)
+    if (pivots > 0 && result.end == PathEnd::complete)
       recorder.warn(
           fmt::format("the equilibrium at the end is unstable: its tangent has {} negative pivots; "
                       "arc-length.unstable_end = \"relax\" goes on to the stable one next to it",
                       pivots));
-  } else if (watch.out_of_time()) {
+  }
+  if (result.end != PathEnd::complete && watch.out_of_time()) {
     end = {ResultStatus::failed,
            fmt::format("time limit of {:g} s reached at {}: continue with --resume, or raise arc-length.time_limit",
                        *c.arc_length.time_limit, where)};
@@ -232,7 +239,7 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
     end = {ResultStatus::interrupted, fmt::format("interrupted at {}: continue with --resume", where)};
   } else if (result.end == PathEnd::stalled) {
     end = {ResultStatus::failed, result.diagnosis};
-  } else {
+  } else if (result.end == PathEnd::at_bifurcation) {
     progress.say("stopped at the bifurcation, as arc-length.at_bifurcation says");
   }
   if (at.q.allFinite() && watch.is_new(at)) watch.frame(at);

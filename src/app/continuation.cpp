@@ -81,7 +81,7 @@ CoarseStart start_on_coarser_meshes(const Case& c, const CaseModel& model, const
       start.problem = fmt::format("on {} nodes {}", level.model.mesh.nodes(), result.diagnosis);
     if (result.end != RelaxationEnd::converged) break;
   }
-  start.q = carried(before->model, start.q, model);
+  if (before) start.q = carried(before->model, start.q, model);
   return start;
 }
 

@@ -9,6 +9,7 @@
 
 #include "sundrape/app/crosscheck_report.hpp"
 #include "sundrape/app/run_batch.hpp"
+#include "sundrape/io/case_error.hpp"
 #include "sundrape/io/case_reader.hpp"
 
 #include "crosscheck_methods.hpp"
@@ -25,6 +26,21 @@ Settings operator+(Settings a, const Settings& b) {
   return a;
 }
 
+using Verdict = MethodPair::Verdict;
+
+/// Whether an end can be held against another one.
+bool has_arrived(const MethodEnd& first, const MethodEnd& second) {
+  return second.end->residual <= Crosscheck::balanced && second.end->negative_pivots == first.end->negative_pivots;
+}
+
+/// Crosschecks choose the analyses themselves.
+void refuse_analysis(const Settings& sets) {
+  for (const auto& set : sets)
+    if (set.starts_with("analysis="))
+      throw CaseError("--set " + set, 0, "analysis",
+                      "a crosscheck runs every analysis; choose among them by --methods");
+}
+
 /// One crosscheck as it goes on.
 class Work {
  public:
@@ -37,6 +53,7 @@ class Work {
     check_.title = case_.title;
     check_.diagonal = diagonal(model_.mesh);
     check_.size = model_.size;
+    check_.energy_scale = model_.nominal_weight() * model_.size;
   }
 
   ExitStatus run() {
@@ -61,6 +78,20 @@ class Work {
     return ExitStatus::interrupted;
   }
 
+  /// An end as it is after the symmetry and the neutral motion that lay it on another one: energies stay, forces turn.
+  [[nodiscard]] EndState laid_on(EndState end, const ShapeDistance& apart) const {
+    const auto& map = symmetries_.maps[apart.map];
+    const Vector forces = map.turn(end.held_forces);
+    end.q = apart.aligned;
+    for (const auto& set : model_.reactions) {
+      auto& reaction = end.reactions[set.name];
+      reaction.setZero();
+      for (const int n : set.nodes) reaction += apart.turn * point(forces, n);
+    }
+    for (const auto& probe : model_.probes) end.probes[probe.name] = point(end.q, probe.node);
+    return end;
+  }
+
   static bool was_interrupted(const std::vector<BatchOutcome>& outcomes) {
     return std::ranges::count(outcomes, BatchStatus::interrupted, &BatchOutcome::status) > 0;
   }
@@ -71,7 +102,8 @@ class Work {
     for (const auto& method : crosscheck_methods(case_, model_)) {
       const auto& wanted = options_.methods;
       if (!wanted.empty() && std::ranges::find(wanted, method.name) == wanted.end()) continue;
-      runs.push_back({method.name, common_settings(case_) + method.sets + options_.sets});
+      runs.push_back(
+          {method.name, common_settings(case_) + method.sets + options_.sets + Settings{"analysis=" + method.name}});
     }
     const auto outcomes = run_batch(runs, batch_);
     if (was_interrupted(outcomes)) return false;
@@ -85,7 +117,6 @@ class Work {
         if (result.frame_variable() == FrameVariable::load_factor && std::abs(last - 1) > 1e-6)
           method.warnings.push_back(fmt::format("ended at a load factor of {:.6g}, not under the whole load", last));
       }
-      fresh_.push_back(!outcomes[i].reused);
       check_.methods.push_back(std::move(method));
     }
     return true;
@@ -104,9 +135,9 @@ class Work {
       if (!methods[second].end) continue;
       MethodPair pair{.first = first, .second = second, .apart = {}, .laid_on = {}, .relaxed = {}};
       pair.apart = shape_distance(symmetries_, model_.mesh.nodes(), methods[first].end->q, methods[second].end->q);
-      pair.laid_on = weigh(model_, pair.apart.aligned);
+      pair.laid_on = laid_on(*methods[second].end, pair.apart);
       pair.same_drape = pair.apart.rms < check_.same_drape * check_.diagonal;
-      pair.same_branch = pair.apart.rms < check_.same_branch * check_.size;
+      if (pair.apart.rms < check_.same_branch * check_.size) pair.verdict = Verdict::same_branch;
       check_.pairs.push_back(std::move(pair));
     }
   }
@@ -116,12 +147,11 @@ class Work {
     std::vector<BatchRun> runs;
     std::vector<MethodPair*> pairs;
     for (auto& pair : check_.pairs) {
-      if (pair.same_branch) continue;
+      if (pair.verdict == Verdict::same_branch) continue;
       const auto& method = check_.methods[pair.second];
       runs.push_back(
           {method.name + "-relaxed", options_.sets + Settings{"analysis=relaxation", "cloth.waviness={ amplitude = 0 }",
                                                               "cloth.start=" + fs::absolute(method.result).string()}});
-      if (fresh_[pair.second]) fs::remove(batch_.folder / (runs.back().name + ".h5"));  // of an older start
       pairs.push_back(&pair);
     }
     if (runs.empty()) return true;
@@ -139,7 +169,9 @@ class Work {
         relaxed.moved_max = moved.max;
         const auto& first = check_.methods[pairs[i]->first].end->q;
         relaxed.apart_rms = shape_distance(symmetries_, model_.mesh.nodes(), first, relaxed.end->q).rms;
-        pairs[i]->same_branch = relaxed.apart_rms < check_.same_branch * check_.size;
+        if (has_arrived(check_.methods[pairs[i]->first], check_.methods[pairs[i]->second]))
+          pairs[i]->verdict =
+              relaxed.apart_rms < check_.same_branch * check_.size ? Verdict::same_branch : Verdict::other_branch;
       }
       pairs[i]->relaxed = std::move(relaxed);
     }
@@ -152,11 +184,13 @@ class Work {
   BatchOptions batch_;
   Crosscheck check_;
   CaseSymmetries symmetries_;
-  std::vector<bool> fresh_;  // whether a method's run is of this time
 };
 
 }  // namespace
 
-ExitStatus run_crosscheck(const CrosscheckOptions& options) { return Work(options).run(); }
+ExitStatus run_crosscheck(const CrosscheckOptions& options) {
+  refuse_analysis(options.sets);
+  return Work(options).run();
+}
 
 }  // namespace sundrape

@@ -27,7 +27,7 @@ std::vector<std::string> crosscheck_method_names() { return {"relaxation", "arc-
 std::vector<Method> crosscheck_methods(const Case& c, const CaseModel& model) {
   std::vector<Method> methods;
   for (const auto& name : crosscheck_method_names()) {
-    Method method{.name = name, .sets = {"analysis=" + name}};
+    Method method{.name = name, .sets = {}};
     // cloth does not stay on a path that has lost its stability
     if (name == "arc-length") method.sets.emplace_back("arc-length.when_unstable=fall");
     if (name == "dynamics") {

@@ -20,20 +20,35 @@ std::string distance(const Crosscheck& check, double metres) {
                      100 * metres / check.size);
 }
 
-std::string verdict(const MethodPair& pair) {
-  if (pair.same_branch) return "the same branch";
-  return pair.same_drape ? "different branches of one drape" : "different branches";
+std::string verdict(const MethodEnd& a, const MethodEnd& b, const MethodPair& pair) {
+  switch (pair.verdict) {
+    case MethodPair::Verdict::same_branch:
+      return fmt::format("{} and {} are on the same branch.", a.name, b.name);
+    case MethodPair::Verdict::other_branch:
+      return fmt::format("{} and {} are on different branches{}.", a.name, b.name,
+                         pair.same_drape ? " of one drape" : "");
+    case MethodPair::Verdict::undecided:
+      break;
+  }
+  const bool balances = b.end->residual <= Crosscheck::balanced;
+  return fmt::format("whether {} and {} are on one branch is undecided: {} ended {}.", a.name, b.name, b.name,
+                     balances ? "at an equilibrium that is " + stability(*b.end) : "where forces do not balance");
+}
+
+std::string verdict_name(MethodPair::Verdict verdict) {
+  if (verdict == MethodPair::Verdict::undecided) return "undecided";
+  return verdict == MethodPair::Verdict::same_branch ? "same branch" : "other branch";
 }
 
 void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& text) {
   const auto out = std::back_inserter(text);
   const auto &a = check.methods[pair.first], &b = check.methods[pair.second];
-  fmt::format_to(out, "\n{} and {} are on {}.\n", a.name, b.name, verdict(pair));
+  fmt::format_to(out, "\n{}\n", verdict(a, b, pair));
   fmt::format_to(out, "  RMS distance  {}\n  max distance  {}\n", distance(check, pair.apart.rms),
                  distance(check, pair.apart.max));
   const double gap = b.end->total_energy - a.end->total_energy;
-  fmt::format_to(out, "  total energy  {} {:.6e} J, {} {:.6e} J: {:+.3g} %\n", a.name, a.end->total_energy, b.name,
-                 b.end->total_energy, 100 * gap / std::abs(a.end->total_energy));
+  fmt::format_to(out, "  total energy  {} {:.6e} J, {} {:.6e} J: {:+.3g} % of weight × L\n", a.name,
+                 a.end->total_energy, b.name, b.end->total_energy, 100 * gap / check.energy_scale);
   for (const auto& [name, force] : a.end->reactions) {
     const Vector3& other = pair.laid_on.reactions.at(name);
     fmt::format_to(out, "  reaction of '{}'  ({:.4e} {:.4e} {:.4e}) N against ({:.4e} {:.4e} {:.4e}) N\n", name,
@@ -46,9 +61,11 @@ void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& tex
   }
   fmt::format_to(out, "  the end of {} relaxes to within {} of itself (at most {:.3g} m), {}\n", b.name,
                  distance(check, pair.relaxed->moved_rms), pair.relaxed->moved_max, stability(*pair.relaxed->end));
-  if (pair.same_branch)
+  if (pair.relaxed->apart_rms < check.same_branch * check.size)
     fmt::format_to(out, "  and there to within {} of {}: it had not arrived\n",
                    distance(check, pair.relaxed->apart_rms), a.name);
+  else if (pair.verdict == MethodPair::Verdict::undecided)
+    fmt::format_to(out, "  which is not where {} ended\n", a.name);
   else if (pair.relaxed->moved_rms < 0.1 * pair.relaxed->apart_rms)
     fmt::format_to(out, "  so it is an equilibrium of relaxation too, another one than it finds from the start\n");
   else
@@ -62,17 +79,17 @@ std::string crosscheck_text(const Crosscheck& check) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "  the case has {} {}, the identity included\n\n", check.symmetries,
                  check.symmetries == 1 ? "symmetry" : "symmetries");
-  fmt::format_to(out, "{:<12} {:>13} {:>12} {:>12} {:>12} {:>12} {:>12} {:>9}  stability\n", "energies [J]", "total",
-                 "membrane", "shear", "bending", "gravity", "contact", "residual");
+  fmt::format_to(out, "{:<12} {:>13} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>9}  stability\n", "energies [J]",
+                 "total", "membrane", "shear", "bending", "gravity", "contact", "load", "residual");
   for (const auto& method : check.methods) {
     if (!method.end) {
       fmt::format_to(out, "{:<12} failed: {}\n", method.name, method.failure);
       continue;
     }
     const auto& e = method.end->energy;
-    fmt::format_to(out, "{:<12} {:>13.6e} {:>12.5e} {:>12.5e} {:>12.5e} {:>12.5e} {:>12.5e} {:>9.1e}  {}\n",
+    fmt::format_to(out, "{:<12} {:>13.6e} {:>12.5e} {:>12.5e} {:>12.5e} {:>12.5e} {:>12.5e} {:>12.5e} {:>9.1e}  {}\n",
                    method.name, method.end->total_energy, e.at("membrane"), e.at("shear"), e.at("bending"),
-                   e.at("gravity"), e.at("contact"), method.end->residual, stability(*method.end));
+                   e.at("gravity"), e.at("contact"), e.at("load"), method.end->residual, stability(*method.end));
   }
   for (const auto& method : check.methods)
     for (const auto& warning : method.warnings) fmt::format_to(out, "{}: {}\n", method.name, warning);
@@ -85,6 +102,7 @@ nlohmann::json crosscheck_json(const Crosscheck& check, int nodes) {
                       {"title", check.title},
                       {"diagonal_m", check.diagonal},
                       {"size_m", check.size},
+                      {"weight_times_size_J", check.energy_scale},
                       {"same_drape_over_diagonal", check.same_drape},
                       {"same_branch_over_size", check.same_branch},
                       {"symmetries", check.symmetries},
@@ -107,7 +125,8 @@ nlohmann::json crosscheck_json(const Crosscheck& check, int nodes) {
     }
     nlohmann::json entry{{"first", check.methods[pair.first].name},
                          {"second", check.methods[pair.second].name},
-                         {"same_branch", pair.same_branch},
+                         {"verdict", verdict_name(pair.verdict)},
+                         {"same_branch", pair.verdict == MethodPair::Verdict::same_branch},
                          {"same_drape", pair.same_drape},
                          {"rms_m", pair.apart.rms},
                          {"max_m", pair.apart.max},

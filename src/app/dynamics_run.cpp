@@ -77,7 +77,7 @@ class Watch final : public DynamicsObserver {
         progress_(progress),
         stop_(c.dynamics.time_limit),
         last_checkpoint_(Clock::now()) {
-    if (c.dynamics.until_rest) rest_.emplace(model, *c.dynamics.until_rest);
+    if (c.dynamics.until_rest) rest_.emplace(model, *c.dynamics.until_rest, c.longest_ramp());
     if (recorder.restart()) last_step_size_ = recorder.restart()->step_size;
   }
 

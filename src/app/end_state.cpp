@@ -44,6 +44,12 @@ EndState weigh(const CaseModel& model, Vector q) {
   state.residual = relative_residual(*model.system, all, model.nominal_weight());
   state.negative_pivots = negative_pivots(*model.system, all, neutral_frequency(model));
   for (const auto& probe : model.probes) state.probes[probe.name] = point(state.q, probe.node);
+  state.held_forces = Vector::Zero(state.q.size());
+  Vector forces = state.held_forces;
+  model.system->force(all, forces);
+  for (Eigen::Index k = 0; k < forces.size(); ++k)
+    if (model.system->unknowns().is_held(static_cast<int>(k / 3), static_cast<int>(k % 3)))
+      state.held_forces[k] = forces[k];
   for (const auto& set : model.reactions) state.reactions[set.name] = reaction(model, all, set.nodes).force;
   return state;
 }

@@ -11,6 +11,7 @@ namespace {
 
 std::vector<Vector3> points_of(const Vector& flat) {
   std::vector<Vector3> points;
+  points.reserve(static_cast<std::size_t>(flat.size() / 3));
   for (int i = 0; i < static_cast<int>(flat.size() / 3); ++i) points.emplace_back(point(flat, i));
   return points;
 }
@@ -36,6 +37,7 @@ Vector last_state(const ResultReader& result, const CaseModel& model) {
   const auto n = positions.size();
   if (model.has_directors() && directors.empty()) {
     std::vector<Vector3> placed;
+    placed.reserve(n);
     for (const auto& x : model.mesh.reference) placed.emplace_back(model.placement(x));
     directors = rest_directors(model.mesh);
     for (auto& d : directors) d = model.placement.rotation * d;

@@ -28,6 +28,7 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
   h.analysis = to_string(c.analysis);
   h.frame_variable = c.analysis == Analysis::arc_length ? FrameVariable::load_factor : FrameVariable::time;
   h.case_text = c.text;
+  h.inputs = c.inputs;
   h.version = version();
   h.mesh = model.mesh;
   h.expected_frames = expected_frames;

@@ -15,6 +15,7 @@
 #include "sundrape/io/case_reader.hpp"
 #include "sundrape/io/file_error.hpp"
 #include "sundrape/io/result_reader.hpp"
+#include "sundrape/version.hpp"
 
 namespace sundrape {
 namespace {
@@ -26,14 +27,20 @@ constexpr const char* this_program = "/proc/self/exe";  // the very one, even if
 
 enum class Earlier { nothing, done, resumable };
 
-/// What an earlier batch left in a file, if it is of this very case.
-Earlier earlier_result(const fs::path& file, const std::string& case_text) {
+constexpr const char* marker = ".sundrape-batch";  // in folders whose results may be written anew
+
+/// What an earlier batch left in a file, if it is of this very case. Relaxations are not gone on with: their fictitious
+/// motion would have lost its momentum and could end elsewhere.
+Earlier earlier_result(const fs::path& file, const Case& c) {
   if (!fs::exists(file)) return Earlier::nothing;
   try {
     const ResultReader result(file);
-    if (result.case_text() != case_text) return Earlier::nothing;
+    if (result.case_text() != c.text || result.inputs() != c.inputs || result.version() != version())
+      return Earlier::nothing;
     if (result.status() == "done") return Earlier::done;
-    return result.status() != "failed" && result.checkpoint() ? Earlier::resumable : Earlier::nothing;
+    const bool out_of_time = result.status() == "failed" && result.message().starts_with("time limit");
+    const bool stopped = result.status() != "failed" || out_of_time;
+    return stopped && c.analysis != Analysis::relaxation && result.checkpoint() ? Earlier::resumable : Earlier::nothing;
   } catch (const FileError&) {  // broken: run again
     return Earlier::nothing;
   }
@@ -81,10 +88,16 @@ class Batch {
   /// Checks every run's case before the first one starts, and looks which results are there.
   void sort_out() {
     fs::create_directories(options_.folder);
+    const bool own = fs::exists(options_.folder / marker);
     for (std::size_t i = 0; i < runs_.size(); ++i) {
-      const auto text = read_case(options_.case_file, runs_[i].sets).text;
+      const auto c = read_case(options_.case_file, runs_[i].sets);
       outcomes_[i].result = options_.folder / (runs_[i].name + ".h5");
-      const auto earlier = earlier_result(outcomes_[i].result, text);
+      const auto earlier = earlier_result(outcomes_[i].result, c);
+      if (earlier == Earlier::nothing && !own && fs::exists(outcomes_[i].result))
+        throw FileError(
+            fmt::format("{}: exists already and is of no earlier study or crosscheck: choose another folder "
+                        "(-o), or move it away",
+                        outcomes_[i].result.string()));
       if (earlier == Earlier::done) {
         outcomes_[i].status = BatchStatus::done;
         outcomes_[i].reused = true;
@@ -92,6 +105,7 @@ class Batch {
         waiting_.push_back({i, earlier == Earlier::resumable});
       }
     }
+    std::ofstream(options_.folder / marker) << "Results in this folder belong to a study or a crosscheck.\n";
     finished_ = runs_.size() - waiting_.size();
     if (finished_ > 0) progress_.say(fmt::format("{} of {} results are there already", finished_, runs_.size()));
   }

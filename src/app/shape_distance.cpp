@@ -17,13 +17,14 @@ double best_angle(const Vector& a, const Vector& b, int nodes, const Vector3& ce
   return std::atan2(sine, cosine);
 }
 
-/// b after the neutral motion that brings it closest to a.
-Vector laid_on(const NeutralMotions& neutral, int nodes, const Vector& a, Vector b) {
+/// Moves b by the neutral motion that brings it closest to a; returns how that turns it.
+Matrix3 lay_on(const NeutralMotions& neutral, int nodes, const Vector& a, Vector& b) {
+  Matrix3 turn = Matrix3::Identity();
   if (neutral.pivot) {
     const bool slides = neutral.slides.size() == 2;  // then every axis will do, and that through the middles is best
     const Vector3 centre_a = slides ? Vector3(columns(a, nodes).rowwise().mean()) : *neutral.pivot;
     const Vector3 centre_b = slides ? Vector3(columns(b, nodes).rowwise().mean()) : *neutral.pivot;
-    const Matrix3 turn = Eigen::AngleAxisd(best_angle(a, b, nodes, centre_a, centre_b), Vector3::UnitZ()).matrix();
+    turn = Eigen::AngleAxisd(best_angle(a, b, nodes, centre_a, centre_b), Vector3::UnitZ()).matrix();
     for (int p = 0; p < static_cast<int>(b.size() / 3); ++p)
       point(b, p) = p < nodes ? Vector3(turn * (point(b, p) - centre_b) + centre_b) : Vector3(turn * point(b, p));
   }
@@ -32,7 +33,7 @@ Vector laid_on(const NeutralMotions& neutral, int nodes, const Vector& a, Vector
     for (const auto& slide : neutral.slides)
       for (int i = 0; i < nodes; ++i) point(b, i) += slide.dot(apart) * slide;
   }
-  return b;
+  return turn;
 }
 
 }  // namespace
@@ -41,10 +42,12 @@ ShapeDistance shape_distance(const CaseSymmetries& symmetries, int nodes, const 
   ShapeDistance best{.rms = std::numeric_limits<double>::infinity(), .aligned = {}};
   for (std::size_t m = 0; m < symmetries.maps.size(); ++m) {
     Vector moved = symmetries.maps[m].move(b);
-    if (symmetries.neutral.any()) moved = laid_on(symmetries.neutral, nodes, a, std::move(moved));
+    Matrix3 turn = Matrix3::Identity();
+    if (symmetries.neutral.any()) turn = lay_on(symmetries.neutral, nodes, a, moved);
     const auto apart = (columns(a, nodes) - columns(moved, nodes)).colwise().norm();
     const double rms = std::sqrt(apart.squaredNorm() / nodes);
-    if (rms < best.rms) best = {.rms = rms, .max = apart.maxCoeff(), .map = m, .aligned = std::move(moved)};
+    if (rms < best.rms)
+      best = {.rms = rms, .max = apart.maxCoeff(), .map = m, .aligned = std::move(moved), .turn = turn};
   }
   return best;
 }

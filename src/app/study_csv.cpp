@@ -16,6 +16,7 @@ std::string quoted(const std::string& text) {
 
 std::string csv_line(const std::vector<std::string>& cells) {
   std::vector<std::string> safe;
+  safe.reserve(cells.size());
   for (const auto& cell : cells) safe.push_back(quoted(cell));
   return joined(safe, ",") + "\n";
 }

@@ -15,6 +15,7 @@ nlohmann::json study_json(const Study& study, const StudyOutcome& outcome, const
                       {"runs", nlohmann::json::array()}};
   for (const auto& axis : study.axes) {
     std::vector<std::string> values;
+    values.reserve(axis.values.size());
     for (const auto& value : axis.values) values.push_back(shown(value));
     json["axes"].push_back({{"key", axis.key}, {"values", values}});
   }
@@ -27,6 +28,7 @@ nlohmann::json study_json(const Study& study, const StudyOutcome& outcome, const
                          {"drapes", nlohmann::json::array()}};
     for (const auto& drape : group.drapes) {
       std::vector<std::string> members;
+      members.reserve(drape.members.size());
       for (const auto run : drape.members) members.push_back(outcome.names[run]);
       nlohmann::json d = to_json(*outcome.ends[drape.representative]);
       d.update({{"count", drape.members.size()},

@@ -30,6 +30,7 @@ std::string run_label(const Study& study, std::size_t run) {
 
 std::string run_labels(const Study& study, const std::vector<std::size_t>& runs) {
   std::vector<std::string> labels;
+  labels.reserve(runs.size());
   for (const auto run : runs) labels.push_back(run_label(study, run));
   return joined(labels, " ");
 }

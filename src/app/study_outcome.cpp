@@ -51,6 +51,15 @@ void sort_group(const Study& study, const StudyOutcome& outcome, const CaseModel
   }
 }
 
+/// Which values a run's group has on the axes that make groups.
+std::vector<std::size_t> values_of_group(const Study& study, std::size_t run) {
+  const auto chosen = study.combination(run);
+  std::vector<std::size_t> values;
+  values.reserve(study.group_axes.size());
+  for (const auto axis : study.group_axes) values.push_back(chosen[axis]);
+  return values;
+}
+
 std::string file_safe(std::string text) {
   std::erase(text, '"');
   for (char& c : text)
@@ -83,32 +92,43 @@ std::vector<std::string> run_names(const Study& study) {
   return names;
 }
 
+void require_comparable_runs(const Study& study, const std::vector<std::string>& names) {
+  std::map<std::vector<std::size_t>, std::pair<std::size_t, CaseModel>> first;  // run and model, by group
+  for (std::size_t run = 0; run < study.runs(); ++run) {
+    auto model = weighing_model(read_case(study.case_file, study.settings(run)));
+    auto values = values_of_group(study, run);
+    const auto found = first.find(values);
+    if (found == first.end()) {
+      first.emplace(std::move(values), std::pair(run, std::move(model)));
+      continue;
+    }
+    const auto& [earlier, other] = found->second;
+    auto difference = mesh_difference(other.mesh, model.mesh, but_for_waviness);
+    if (difference.empty() && other.has_directors() != model.has_directors())
+      difference = "one is a particle net, the other one a shell";
+    if (!difference.empty())
+      throw CaseError(study.file.string(), 0, "branches.group_by",
+                      fmt::format("{} and {} cannot be compared: {}; name the axis that makes the difference",
+                                  names[earlier], names[run], difference));
+  }
+}
+
 StudyOutcome study_outcome(const Study& study, std::vector<std::string> names, std::vector<BatchOutcome> runs) {
   StudyOutcome outcome{.names = std::move(names), .runs = std::move(runs), .ends = {}, .groups = {}};
   outcome.ends.resize(outcome.runs.size());
   std::map<std::vector<std::size_t>, StudyGroup> groups;  // by the values of the group axes
   for (std::size_t run = 0; run < outcome.runs.size(); ++run) {
-    std::vector<std::size_t> values;
-    const auto chosen = study.combination(run);
-    for (const auto axis : study.group_axes) values.push_back(chosen[axis]);
+    auto values = values_of_group(study, run);
     auto& group = groups[values];
-    group.values = values;
+    group.values = std::move(values);
     if (outcome.runs[run].status == BatchStatus::done) group.runs.push_back(run);
   }
   for (auto& [values, group] : groups) {
     std::optional<CaseModel> first;
     for (const auto run : group.runs) {
       const Case c = read_case(study.case_file, study.settings(run));
-      const auto model = weighing_model(c);
-      outcome.ends[run] = end_state(model, ResultReader(outcome.runs[run].result));
-      if (!first) {
-        first = perfect_model(c);
-      } else if (const auto difference = mesh_difference(first->mesh, model.mesh, but_for_waviness);
-                 !difference.empty()) {
-        throw CaseError(study.file.string(), 0, "branches.group_by",
-                        fmt::format("{} and {} cannot be compared: {}; name the axis that makes the difference",
-                                    outcome.names[group.runs.front()], outcome.names[run], difference));
-      }
+      outcome.ends[run] = end_state(weighing_model(c), ResultReader(outcome.runs[run].result));
+      if (!first) first = perfect_model(c);
     }
     if (first) sort_group(study, outcome, *first, group);
     outcome.groups.push_back(std::move(group));

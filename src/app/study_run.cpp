@@ -42,6 +42,7 @@ ExitStatus run_study(const StudyOptions& options) {
   require_settings(study);
   const auto folder = options.folder.value_or(options.study_file.stem());
   auto names = run_names(study);
+  require_comparable_runs(study, names);
   std::vector<BatchRun> runs;
   for (std::size_t run = 0; run < study.runs(); ++run) runs.push_back({names[run], study.settings(run)});
   auto outcomes = run_batch(

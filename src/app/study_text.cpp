@@ -18,6 +18,7 @@ std::string stability(const EndState& end) {
 
 std::string neutral_text(const NeutralMotions& neutral) {
   std::vector<std::string> parts;
+  parts.reserve(neutral.slides.size() + 1);
   for (const auto& slide : neutral.slides)
     parts.push_back(fmt::format("a slide along ({:.3g}, {:.3g})", slide.x(), slide.y()));
   if (neutral.pivot) parts.emplace_back("a turn about the vertical");

@@ -177,7 +177,7 @@ BendSprings::BendSprings(const std::vector<BendSpring>& springs, double relaxati
     elements.push_back(
         {{s.previous, s.centre, s.next, s.cross_to, s.cross_from}, {s.skew, s.rest_angle, s.stiffness, s.length}});
     auto points = elements.back().points_of;
-    for (const std::size_t end : {3, 4})
+    for (const std::size_t end : {3U, 4U})
       if (points[end] == s.centre) points[end] = -1;
     std::ranges::sort(points);
     for (std::size_t k = 1; k < points.size(); ++k)

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "sundrape/io/fingerprint.hpp"
+
 #include "case_choices.hpp"
 #include "case_document.hpp"
 #include "case_parts.hpp"
@@ -65,6 +67,9 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   }
   resolved.output =
       resolve_output(top.table("output"), resolved.analysis == Analysis::dynamics ? resolved.dynamics.duration : 0);
+  if (const auto* mesh = std::get_if<MeshShape>(&resolved.cloth.shape))
+    resolved.inputs = "mesh " + fingerprint(mesh->file);
+  if (resolved.cloth.start) resolved.inputs += " start " + fingerprint(resolved.cloth.start->file);
   return resolved;
 }
 

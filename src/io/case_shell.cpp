@@ -18,13 +18,13 @@ ShellCase resolve_shell(const CaseSection& section) {
 
 void require_shell_model(const CaseSection& top, const Case& resolved) {
   if (resolved.model == Model::shell) return;
-  if (top.has("shell")) top.fail("shell", "belongs to model = \"shell\", not to \"particle\"");
+  if (top.has("shell")) top.fail("shell", R"(belongs to model = "shell", not to "particle")");
 }
 
 void require_scheme_of_shell(const CaseSection& top, const Case& resolved) {
   if (resolved.model == Model::shell && resolved.analysis == Analysis::relaxation &&
       resolved.relaxation.scheme == "chapter")
-    top.table("relaxation").fail("scheme", "\"chapter\" moves the nodes of a particle net; a shell needs \"implicit\"");
+    top.table("relaxation").fail("scheme", R"("chapter" moves the nodes of a particle net; a shell needs "implicit")");
 }
 
 void require_damping_of_massless_directors(const CaseSection& top, const Case& resolved) {

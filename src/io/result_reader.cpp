@@ -28,6 +28,7 @@ ResultReader::ResultReader(const std::filesystem::path& path) : file_(hdf5::File
   message_ = file_.text_attribute("/", "message");
   version_ = file_.text_attribute("/", "sundrape_version");
   case_text_ = file_.text_attribute("/", "case");
+  inputs_ = file_.text_attribute("/", "inputs", "");
   read_mesh();
   if (file_.exists("/frames/load_factor")) frame_variable_ = FrameVariable::load_factor;
   frame_values_ = file_.dataset(layout::frame_variable_path(frame_variable_)).read<double>();
@@ -92,7 +93,7 @@ std::map<std::string, std::vector<Vector3>> ResultReader::reaction_moments() con
 
 std::map<std::string, std::vector<Vector3>> ResultReader::by_set(const std::string& group) const {
   std::map<std::string, std::vector<Vector3>> result;
-  for (const auto& set : file_.children(group)) result[set] = vectors(group + "/" + set, frames());
+  for (const auto& set : file_.children(group)) result[set] = vectors(fmt::format("{}/{}", group, set), frames());
   return result;
 }
 
@@ -119,7 +120,8 @@ std::map<std::string, ProbeHistory> ResultReader::probes() const {
   const auto names = file_.children("/probes");
   auto rows = std::numeric_limits<std::uint64_t>::max();
   const std::string variable = frame_variable_ == FrameVariable::time ? "/time" : "/load_factor";
-  for (const auto& name : names) rows = std::min(rows, file_.dataset("/probes/" + name + variable).rows());
+  for (const auto& name : names)
+    rows = std::min(rows, file_.dataset(fmt::format("/probes/{}{}", name, variable)).rows());
   for (const auto& name : names) {
     const auto group = "/probes/" + name;
     auto& probe = result[name];

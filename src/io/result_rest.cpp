@@ -77,6 +77,7 @@ void ResultRest::write(hdf5::File& file) const {
   file.set_attribute("/", "model", header.model);
   file.set_attribute("/", "analysis", header.analysis);
   file.set_attribute("/", "case", header.case_text);
+  file.set_attribute("/", "inputs", header.inputs);
   write_status(file);
   write_mesh(file, header.mesh);
   write_obstacles(file, header.obstacles);

@@ -39,7 +39,7 @@ std::vector<double> range_numbers(const CaseSection& range) {
   const double steps = std::floor((to - from) / step * (1 + 1e-12) + 1e-9);
   if (!(steps < static_cast<double>(most_values)))
     range.fail("step", fmt::format("makes {:.10g} values, more than {}", steps + 1, most_values));
-  for (double i = 0; i <= steps; ++i) numbers.push_back(from + i * step);
+  for (int i = 0; i <= static_cast<int>(steps); ++i) numbers.push_back(from + i * step);
   return numbers;
 }
 
@@ -82,6 +82,7 @@ std::vector<std::size_t> group_axes(const CaseSection& branches, const std::vect
     return chosen;
   }
   std::vector<std::string> keys;
+  keys.reserve(axes.size());
   for (const auto& axis : axes) keys.push_back(axis.key);
   for (const auto& key : branches.texts("group_by")) {
     const auto found = std::ranges::find(keys, key);

@@ -67,7 +67,7 @@ class ObjReader {
     int count = 0;
     for (; words >> word && !word.starts_with('#'); ++count)
       if (word.find_first_not_of(allowed) != std::string::npos)
-        refuse(fmt::format("\"{}\" in a line of \"{}\" is not a number", word, key));
+        refuse(fmt::format(R"("{}" in a line of "{}" is not a number)", word, key));
     if (count < least) refuse(fmt::format("a line of \"{}\" needs {} numbers, not {}", key, least, count));
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -47,6 +48,7 @@ struct Anchors {
 Anchors find_anchors(const std::vector<Vector3>& places, double size, double slack) {
   // For each node the number that are as far out, counted in the sorted list of distances.
   std::vector<double> distances;
+  distances.reserve(places.size());
   for (const auto& x : places) distances.push_back(x.norm());
   std::vector<double> in_order = distances;
   std::ranges::sort(in_order);
@@ -58,12 +60,21 @@ Anchors find_anchors(const std::vector<Vector3>& places, double size, double sla
   for (std::size_t i = 0; i < places.size(); ++i)
     if (distances[i] > 0.1 * size) candidates.push_back(i);  // near ones fix a direction badly
   std::ranges::stable_sort(candidates, {}, company);
-  for (const auto a : candidates)
+  double largest = 1e-6;
+  std::optional<std::pair<std::size_t, std::size_t>> best;
+  for (const auto a : candidates) {
     for (const auto b : candidates) {
       const double sine = places[a].cross(places[b]).norm() / (distances[a] * distances[b]);
-      if (sine > 0.1) return {a, b, as_far_as(a, places, slack), as_far_as(b, places, slack)};
+      if (sine <= largest) continue;
+      largest = sine;
+      best = {a, b};
+      if (sine > 0.1) break;
     }
-  throw std::invalid_argument("the nodes of the mesh lie on one line: its symmetries are not defined");
+    if (largest > 0.1) break;
+  }
+  if (!best) throw std::invalid_argument("the nodes of the mesh lie on one line: its symmetries are not defined");
+  const auto [a, b] = *best;
+  return {a, b, as_far_as(a, places, slack), as_far_as(b, places, slack)};
 }
 
 /// An orthonormal frame: along a, then towards b, then ± their normal.

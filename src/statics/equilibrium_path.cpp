@@ -8,7 +8,7 @@ PathResult follow_path(const System& system, const PathOptions& options, PathPos
   Tangent tangent(system, options.neutral_frequency);
   if (at.step_q.size() != at.q.size()) at.step_q = Vector::Zero(at.q.size());
   for (; at.stage <= options.stages; ++at.stage) {
-    const auto result = StageFollower(system, tangent, options, at, observer).run();
+    auto result = StageFollower(system, tangent, options, at, observer).run();
     if (result.end != PathEnd::complete || at.stage == options.stages) return result;
     at.load_factor = 0;
     at.arc_length = at.step_load = 0;

@@ -38,8 +38,11 @@ StageFollower::StageFollower(const System& system, Tangent& tangent, const PathO
       counted_factorizations_(tangent.factorizations()) {}
 
 PathResult StageFollower::run() {
-  if (at_.arc_length == 0 && at_.load_factor == 0)
+  if (at_.arc_length == 0 && at_.load_factor == 0) {
     if (auto failure = begin()) return *failure;
+  } else if (options_.fall && assess() && pivots_.value_or(0) > 0) {  // stopped before it had fallen
+    if (auto failure = fall(at_.load_factor)) return *failure;
+  }
   while (at_.load_factor < 1 - same_load) {
     if (observer_.wants_to_stop()) return {PathEnd::stopped, ""};
     if (at_.steps >= options_.max_steps)

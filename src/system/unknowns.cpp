@@ -15,7 +15,7 @@ std::vector<int> ascending(std::size_t points) {
 
 }  // namespace
 
-Unknowns::Unknowns(std::vector<Held> held) : Unknowns(held, ascending(held.size())) {}
+Unknowns::Unknowns(const std::vector<Held>& held) : Unknowns(held, ascending(held.size())) {}
 
 Unknowns::Unknowns(std::vector<Held> held, const std::vector<int>& order)
     : held_(std::move(held)), row_of_point_(held_.size(), -1) {

@@ -216,6 +216,19 @@ class Refusals(Study):
         done = self.study(text)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stderr, "study.toml: branches.group_by: .* cannot be compared: .*name the axis")
+        self.assertFalse((self.folder / "out").exists())  # said before anything has run
+
+    def test_models_that_cannot_be_compared(self):
+        text = STUDY + '[[axis]]\nkey = "model"\nvalues = ["particle", "shell"]\n[branches]\ngroup_by = []\n'
+        self.refused(text, 2, "study.toml: branches.group_by: .* cannot be compared: one is a particle net")
+
+    def test_results_of_others_are_not_written_over(self):
+        (self.folder / "out/runs").mkdir(parents=True)
+        self.write("out/runs/seed=1.h5", "somebody's")
+        done = self.study()
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr, "seed=1.h5: exists already and is of no earlier study")
+        self.assertEqual((self.folder / "out/runs/seed=1.h5").read_text(), "somebody's")
 
     def test_a_missing_study(self):
         self.assertEqual(self.sundrape("study", "absent.toml").returncode, 3)

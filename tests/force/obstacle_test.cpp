@@ -84,8 +84,8 @@ double distance_by_search(const Specimen& specimen, const Vector3& x, Points& po
     try_direction(-Vector3::Unit(k));
   }
   for (int i = 0; i < 3000; ++i) try_direction(points.direction());
-  for (double step = 0.1; step > 1e-8; step *= 0.9)
-    for (int i = 0; i < 60; ++i) try_direction((best + step * points.direction()).normalized());
+  for (int k = 0; k < 153; ++k)  // down to 1e-8
+    for (int i = 0; i < 60; ++i) try_direction((best + 0.1 * std::pow(0.9, k) * points.direction()).normalized());
   return value(best);
 }
 

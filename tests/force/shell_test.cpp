@@ -200,14 +200,14 @@ TEST(Shell, PatchTestsOnDistortedElements) {
               return Motion{{0, 0, 0.3 * x[0] + 0.1 * x[1]}, Vector3::Zero()};
             },
             "transverse shear", true);
-        for (const auto& [k11, k22, k12, name] :
-             {std::tuple{1.0, 0.0, 0.0, "bending"}, std::tuple{0.5, -0.8, 0.0, "double bending"},
-              std::tuple{0.0, 0.0, 1.0, "twist"}})
+        for (const auto& [k, name] :
+             {std::pair{Vector3(1, 0, 0), "bending"}, std::pair{Vector3(0.5, -0.8, 0), "double bending"},
+              std::pair{Vector3(0, 0, 1), "twist"}})
           expect_patch_test(
               s,
-              [&](const Vector3& x) {
-                const double w = 0.5 * (k11 * x[0] * x[0] + k22 * x[1] * x[1]) + k12 * x[0] * x[1];
-                return Motion{{0, 0, w}, {-k11 * x[0] - k12 * x[1], -k22 * x[1] - k12 * x[0], 0}};
+              [k = k](const Vector3& x) {
+                const double w = 0.5 * (k[0] * x[0] * x[0] + k[1] * x[1] * x[1]) + k[2] * x[0] * x[1];
+                return Motion{{0, 0, w}, {-k[0] * x[0] - k[2] * x[1], -k[1] * x[1] - k[2] * x[0], 0}};
               },
               name);
       }

@@ -44,7 +44,8 @@ FoldedStrip folded_strip(double inertia, double membrane_damping, double bending
     point(strip.q, i) = Vector3(radius * std::sin(angle), x[1], radius * (1 - std::cos(angle)));
     point(strip.q, strip.nodes + i) = ShellSample::director_length * Vector3(-std::sin(angle), 0, std::cos(angle));
     if (std::abs(x[0]) > 0.499 * length)
-      held[static_cast<std::size_t>(i)] = held[static_cast<std::size_t>(strip.nodes + i)] = {true, true, true};
+      held[static_cast<std::size_t>(i)] =
+          held[static_cast<std::size_t>(strip.nodes) + static_cast<std::size_t>(i)] = {true, true, true};
     order.insert(order.end(), {i, strip.nodes + i});
   }
   Vector mass(2 * strip.nodes);

@@ -81,7 +81,7 @@ const std::vector<Slip> slips{
     {"UnknownModel", "\"particle\"", "\"shells\"", 2, "model",
      "'shells' is not one of particle, shell, did you mean 'shell'?"},
     {"ShellTableOfAParticleNet", "[cloth]", shell("membrane = \"mixed\""), 5, "shell",
-     "belongs to model = \"shell\", not to \"particle\""},
+     R"(belongs to model = "shell", not to "particle")"},
     {"UnknownMembrane", "[cloth]", shell("membrane = \"center\""), 6, "shell.membrane",
      "'center' is not one of centre, bilinear, edge-tied, mixed, did you mean 'centre'?"},
     {"NoShearCorrection", "[cloth]", shell("shear_correction = 0"), 6, "shell.shear_correction",

@@ -38,13 +38,13 @@ TEST(CaseDescription, PrintsTheElementsAndTheBendingLawOfAShell) {
       "bending = { law = \"polynomial\", coefficients = [1, 0.5], curvature_unit = \"1/m\", moment_unit = \"N\", "
       "max_curvature = 3 }\npoisson";
   std::string text = describe(
-      parse_case(sample_with("poisson", law), "c.toml", {"model=shell", "fix.0.components=[\"x\", \"director-x\"]"}));
+      parse_case(sample_with("poisson", law), "c.toml", {"model=shell", R"(fix.0.components=["x", "director-x"])"}));
   text = std::regex_replace(text, std::regex(" +"), " ");
   for (const auto* line : {"model = \"shell\"", "shell.membrane = \"centre\"",
                            "shell.hourglass_factor = (0.1, and 1 in elements that span the sheet from edge to edge)",
                            "shell.shear_correction = 0.8333333333", "material.bending.law = \"polynomial\"",
                            "material.bending.coefficients = [[1, 0.5], [1, 0.5]] of N over powers of 1/m",
-                           "material.bending.max_curvature = [3, 3] 1/m", "fix.0.components = [\"x\", \"director-x\"]",
+                           "material.bending.max_curvature = [3, 3] 1/m", R"(fix.0.components = ["x", "director-x"])",
                            "output.resultants = true", "bending rigidity, warp at K = 0 = 1.098901099 N m"})
     EXPECT_NE(text.find("\n" + std::string(line) + "\n"), std::string::npos) << line << " in\n" << text;
   EXPECT_EQ(text.find("material.net"), std::string::npos);

@@ -194,7 +194,7 @@ TEST_F(FabricLibrary, NamesWhatIsThereWhereAFabricIsNot) {
 TEST_F(FabricLibrary, PointsIntoTheFabricsFileWhereThatIsWrong) {
   const auto wrong = [&](const std::string& text) {
     write("fabrics/weave.toml", text);
-    const auto c = complaint("fabric = \"weave\"");
+    auto c = complaint("fabric = \"weave\"");
     EXPECT_EQ(c.file, (folder_ / "fabrics" / "weave.toml").string()) << c.message;
     return c;
   };

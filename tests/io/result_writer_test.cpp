@@ -1,7 +1,8 @@
 #include "sundrape/io/result_writer.hpp"
 
+#include <csignal>
+
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -216,7 +216,8 @@ TEST(PlateBending, CountsTheTwistOnce) {
 }
 
 TEST(PlateBending, RefusesWhatNoSheetHas) {
-  EXPECT_THROW(PlateBending(Matrix3d::Zero()), std::invalid_argument);
+  const Matrix3d nothing = Matrix3d::Zero();
+  EXPECT_THROW(PlateBending{nothing}, std::invalid_argument);
   Matrix3d skew = Matrix3d::Identity();
   skew(0, 1) = 0.1;
   EXPECT_THROW(PlateBending{skew}, std::invalid_argument);

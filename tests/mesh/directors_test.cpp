@@ -47,6 +47,7 @@ TEST(CarriedDirectors, TurnWithTheSheet) {
   const auto directors = rest_directors(mesh);
   const Matrix3 turn = Eigen::AngleAxisd(0.01, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   std::vector<Vector3> moved;
+  moved.reserve(mesh.reference.size());
   for (const auto& x : mesh.reference) moved.emplace_back(turn * x);
   const auto carried = carried_directors(mesh, directors, mesh.reference, moved);
   // a turn about the normal itself leaves no trace in it, so the two agree but for the turn times their lean

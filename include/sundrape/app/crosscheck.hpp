@@ -35,9 +35,11 @@ struct MethodEnd {
 struct MethodPair {
   std::size_t first = 0, second = 0;  // methods
   ShapeDistance apart;
-  EndState laid_on;          // the second's end after the symmetry that brings it closest to the first's
-  bool same_drape = false;   // nearer than Crosscheck::same_drape
-  bool same_branch = false;  // nearer than Crosscheck::same_branch, or relaxed to there
+  EndState laid_on;         // the second's end after the symmetry that brings it closest to the first's
+  bool same_drape = false;  // nearer than Crosscheck::same_drape
+  enum class Verdict { same_branch, other_branch, undecided };
+  /// Undecided where the second one's end is no equilibrium, or not as stable as the first one's, and far from it.
+  Verdict verdict = Verdict::undecided;
 
   /// Where the second's end relaxes to, if it is not on the first's branch at once.
   struct Relaxed {
@@ -53,9 +55,11 @@ struct MethodPair {
 /// One case by every method that finds equilibria, and how they agree.
 struct Crosscheck {
   std::string title;
-  double diagonal = 0, size = 0;  // of the cloth; its longest side [m]
-  double same_drape = 0.01;       // RMS over the diagonal below which two ends look alike
-  double same_branch = 1e-3;      // RMS over the longest side below which they are one equilibrium
+  double diagonal = 0, size = 0;            // of the cloth; its longest side [m]
+  double energy_scale = 0;                  // weight × L [J]
+  static constexpr double balanced = 0.01;  // residual of an end that may be called an equilibrium, as of one at rest
+  double same_drape = 0.01;                 // RMS over the diagonal below which two ends look alike
+  double same_branch = 1e-3;                // RMS over the longest side below which they are one equilibrium
   std::size_t symmetries = 0;
   std::vector<MethodEnd> methods;
   std::vector<MethodPair> pairs;
@@ -68,8 +72,9 @@ struct Crosscheck {
 /// writes FOLDER/crosscheck.txt and crosscheck.json; results are FOLDER/<method>.h5.
 ///
 /// Two ends nearer than 0.1 % of L (RMS, after the case's symmetries) are the same equilibrium. Where they are not, the
-/// second one is relaxed from where it ended: that decides between a motion that has not arrived and another branch,
-/// which may be near: a sheet has equilibria that look alike.
+/// second one is relaxed from where it ended: that decides between a motion that has all but arrived and another
+/// branch, which may be near: a sheet has equilibria that look alike. An end whose forces do not balance to 1 %, or
+/// with other negative pivots than the first one's, decides nothing.
 /// @return failed if a run failed, with the others compared all the same; done also where branches differ
 /// @throws CaseError, FileError, std::system_error
 [[nodiscard]] ExitStatus run_crosscheck(const CrosscheckOptions& options);

@@ -20,6 +20,7 @@ struct EndState {
   std::optional<int> negative_pivots;        // of the tangent; nothing if its factorisation broke down
   std::map<std::string, Vector3> probes;     // places of the probed nodes [m]
   std::map<std::string, Vector3> reactions;  // by support [N]
+  Vector held_forces;                        // on held components, which supports balance; 3P [N]
 };
 
 /// The model that a case's end is weighed by: loads in full, whatever their ramp, and its own rest shape.

@@ -271,7 +271,14 @@ struct Case {
   OutputCase output;
   std::filesystem::path file;  // the case file; relative paths inside it count from its folder
   std::string text;            // the TOML as run, --set included
+  std::string inputs;          // fingerprints of the other files that it reads: mesh, start
 
+  /// When the last load has reached its full size in dynamics [s].
+  [[nodiscard]] double longest_ramp() const {
+    double longest = 0;
+    for (const auto& load : loads) longest = std::max(longest, load.ramp);
+    return longest;
+  }
   /// Stages of arc-length that loads and motions name: at least 1.
   [[nodiscard]] int stages() const {
     std::size_t most = 1;

@@ -48,6 +48,7 @@ struct StepColumn {
 struct ResultHeader {
   std::string title, model, analysis;
   std::string case_text;  // the TOML as run, --set included
+  std::string inputs;     // fingerprints of the other files that it read
   std::string version;    // of sundrape
   QuadMesh mesh;
   FrameVariable frame_variable = FrameVariable::time;

@@ -30,7 +30,7 @@ struct Meaning {
 
 /// Names under /frames/element with their numbers of components, in the order of ElementFields, and its members.
 [[nodiscard]] const std::vector<std::pair<std::string_view, int>>& element_fields();
-[[nodiscard]] std::vector<const Vector*> element_values(const ElementFields& fields);
+[[nodiscard]] std::vector<const Vector*> element_values(const ElementFields& e);
 
 /// The growing parts of a result, in the order in which they are published.
 enum SeriesIndex : std::size_t { warnings, steps, probes, iterations, critical, frames, count };

@@ -30,6 +30,7 @@ class ResultReader {
   [[nodiscard]] const std::string& message() const { return message_; }
   [[nodiscard]] const std::string& version() const { return version_; }
   [[nodiscard]] const std::string& case_text() const { return case_text_; }
+  [[nodiscard]] const std::string& inputs() const { return inputs_; }
   [[nodiscard]] const QuadMesh& mesh() const { return mesh_; }
 
   [[nodiscard]] std::size_t frames() const { return frame_values_.size(); }
@@ -79,7 +80,7 @@ class ResultReader {
   void read_mesh();
 
   hdf5::File file_;
-  std::string title_, model_, analysis_, status_, message_, version_, case_text_;
+  std::string title_, model_, analysis_, status_, message_, version_, case_text_, inputs_;
   QuadMesh mesh_;
   FrameVariable frame_variable_ = FrameVariable::time;
   std::vector<double> frame_values_;

@@ -51,7 +51,7 @@ class ResultWriter {
   };
   /// Of an equilibrium path; written with the next frame or checkpoint.
   void append_iteration(const PathIteration& iteration);
-  void append_critical_point(const CriticalRecord& point);
+  void append_critical_point(const CriticalRecord& c);
 
   /// Written with the next frame or checkpoint.
   void add_warning(const std::string& text);

@@ -22,7 +22,9 @@ class QuadLocator {
  private:
   [[nodiscard]] std::optional<Place> in_quad(int quad, const Eigen::Vector2d& point) const;
   [[nodiscard]] Eigen::Vector2i bin_of(const Eigen::Vector2d& point) const;
-  [[nodiscard]] std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * bins_.x() + x); }
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(bins_.x()) + static_cast<std::size_t>(x);
+  }
 
   const QuadMesh& mesh_;
   Eigen::Vector2d low_, bin_size_;

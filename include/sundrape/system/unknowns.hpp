@@ -17,7 +17,7 @@ class Unknowns {
     int row, component;
   };
 
-  explicit Unknowns(std::vector<Held> held);  // one entry a point
+  explicit Unknowns(const std::vector<Held>& held);  // one entry a point
   /// @param order  the points in the order in which they get their rows, P: near ones next to each other keep
   ///               incomplete factors good
   /// @throws std::invalid_argument  an order that does not have every point once
