@@ -59,7 +59,7 @@ def _shapes(axes: Any, first: Result, second: np.ndarray, pair: dict[str, Any]) 
     axes.set_box_aspect(room, zoom=1.45)
     axes.set_axis_off()
     axes.view_init(elev=22, azim=-58)
-    verdict = "the same branch" if pair["same_branch"] else "different branches"
+    verdict = {"same branch": "the same branch", "undecided": "undecided"}.get(pair["verdict"], "different branches")
     axes.legend(loc="lower left", frameon=False)
     axes.set_title(f"{pair['first']} and {pair['second']}: {verdict}", y=0.98)
 

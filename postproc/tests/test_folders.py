@@ -52,7 +52,8 @@ class Crosschecks(Folders):
         motion = bowl()
         write_result(self.folder / "relaxation.h5", motion, analysis="relaxation")
         second = motion.position[-1] + [0, 0, shift]
-        pair = {"first": "relaxation", "second": "dynamics", "same_branch": shift == 0, "second_position_m": second.tolist()}
+        pair = {"first": "relaxation", "second": "dynamics", "same_branch": shift == 0,
+                "verdict": "same branch" if shift == 0 else "other branch", "second_position_m": second.tolist()}
         methods = [{"name": name, "result": f"{name}.h5"} for name in ("relaxation", "dynamics")]
         report = {"format": "sundrape crosscheck", "title": "Bowls", "size_m": 0.2, "methods": methods, "pairs": [pair]}
         self.write("crosscheck.json", report)

@@ -87,9 +87,10 @@ Section dynamics() {
               {.name = "until_rest",
                .range = above_to(0, 0.1),
                .default_note = "the whole duration",
-               .doc = "Ends the motion once the cloth rests: its kinetic energy has stayed below this part of weight × "
-                      "L for "
-                      "the time 2π√(L/g), and the out-of-balance force is below 0.01 of the external one."},
+               .doc =
+                   "Ends the motion once the cloth rests: its kinetic energy has stayed below this part of weight × "
+                   "L for the time 2π√(L/g), loads have their full size, the out-of-balance force is below 0.01 of the "
+                   "external one, and the equilibrium is stable."},
               linear_solver(),
               time_limit(),
           },

@@ -89,6 +89,35 @@ class Crosscheck(CommandLineTest):
         self.assertIn("2 of 2 results are there already", again.stdout)
         self.assertIn("1 of 1 results are there already", again.stdout)  # the relaxation of the end
 
+    def test_an_end_that_is_no_equilibrium_decides_nothing(self):
+        # the motion is cut off while it falls
+        done = self.crosscheck(HANGING, "--set", "dynamics.duration=0.05")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, "whether relaxation and dynamics are on one branch is undecided: dynamics ended where "
+                                      "forces do not balance")
+        pair = self.report()["pairs"][0]
+        self.assertEqual((pair["verdict"], pair["same_branch"]), ("undecided", False))
+
+    def test_reactions_are_those_of_the_methods_own_model(self):
+        # a wavy rest shape by arc-length, a flat one by relaxation: the hand carries the weight in both
+        done = self.sundrape("crosscheck", self.write("case.toml", HANGING), "-o", "out", "--methods",
+                             "relaxation,arc-length", "--set", "arc-length.max_iterations=60")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        weight = 0.2 * 0.2 * 0.03 * 9.80665
+        laid = self.report()["pairs"][0]["second_laid_on_first"]
+        self.assertAlmostEqual(laid["reactions_N"]["hand"][2], -weight, delta=1e-3 * weight)
+
+    def test_the_analysis_is_not_for_the_command_line_to_say(self):
+        done = self.crosscheck(HANGING, "--set", "analysis=relaxation")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("choose among them by --methods", done.stderr)
+
+    def test_a_changed_mesh_file_is_noticed(self):
+        self.write("arch.obj", arch(0.005))
+        self.crosscheck(ARCH)
+        self.write("arch.obj", arch(0.00501))
+        self.assertNotIn("results are there already", self.crosscheck(ARCH).stdout)
+
     def test_what_failed_is_said_and_the_rest_is_compared(self):
         done = self.crosscheck(HANGING, "--set", "dynamics.time_limit=1e-3")
         self.assertEqual(done.returncode, 1, done.stderr)
@@ -127,6 +156,13 @@ class UntilRest(CommandLineTest):
             weight = 0.2 * 0.08 * 0.06 * 9.80665
             self.assertLess(result["frames/energy/kinetic"][-1], 1e-8 * weight * 0.08)
             self.assertLess(result["frames/residual"][-1], 0.02)
+
+    def test_a_motion_does_not_rest_while_a_load_still_grows(self):
+        load = '[[load]]\nkind = "force"\nnodes = "right"\ntotal = [0, 0, -1e-4]\nramp = "5 s"\n'
+        case = self.write("sheet.toml", SHEET.replace('"20 ms"', '"60 s"') + load)
+        self.done("run", case, "--quiet", "--set", "dynamics.until_rest=1e-6", "--set", "dynamics.rtol=1e-3")
+        with h5py.File(self.folder / "sheet.h5") as result:
+            self.assertGreater(result["frames/time"][-1], 5)
 
     def test_a_motion_that_does_not_rest_says_so(self):
         result = self.done("run", self.write("sheet.toml", SHEET), "--set", "dynamics.until_rest=1e-8")
