@@ -133,9 +133,10 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
   Vector q = model.initial;
   if (const auto& restart = recorder.restart()) {
     q = restart->q;
-    progress.say(fmt::format("resuming after {} frames, without the momentum that the relaxation had: of several "
-                             "equilibria it may find another one",
-                             recorder.frames()));
+    progress.say(
+        fmt::format("resuming after {} frames, without the momentum that the relaxation had: of several "
+                    "equilibria it may find another one",
+                    recorder.frames()));
   } else {
     watch.frame(q);
   }
