@@ -61,9 +61,9 @@ class Watch final : public PathObserver {
     const auto contact = recorder_.step({at.load_factor, at.q, still_, at.stage});
     recorder_.step_values({{"load_factor", at.load_factor},
                            {"stage", at.stage},
-                           {"arc_length", step.arc_length},
+                           {"arc_length", at.arc_length},
                            {"newton_iterations", step.iterations},
-                           {"halvings", step.cuts},
+                           {"halvings", step.halvings},
                            {"residual", step.residual},
                            {"contacts", contact.contacts},
                            {"negative_pivots", step.negative_pivots.value_or(-1)}});
@@ -232,9 +232,7 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
                       pivots));
   }
   if (result.end != PathEnd::complete && watch.out_of_time()) {
-    end = {ResultStatus::failed,
-           fmt::format("time limit of {:g} s reached at {}: continue with --resume, or raise arc-length.time_limit",
-                       *c.arc_length.time_limit, where)};
+    end = {ResultStatus::failed, out_of_time_message(*c.arc_length.time_limit, "at " + where, "arc-length")};
   } else if (result.end == PathEnd::stopped) {
     end = {ResultStatus::interrupted, fmt::format("interrupted at {}: continue with --resume", where)};
   } else if (result.end == PathEnd::stalled) {

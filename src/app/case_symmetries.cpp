@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <random>
 #include <stdexcept>
 
 #include <Eigen/Eigenvalues>
@@ -12,6 +11,7 @@
 #include <Eigen/QR>
 
 #include "sundrape/mesh/directors.hpp"
+#include "sundrape/mesh/noise.hpp"
 #include "sundrape/mesh/symmetries.hpp"
 #include "sundrape/system/equivariance.hpp"
 
@@ -20,33 +20,27 @@ namespace {
 
 constexpr double force_tolerance = 1e-6;  // of a kind's force: round-off leaves 1e-12, rounded meshes 1e-7
 
-class Random {
- public:
-  /// Uniform in ± 1, the same on every platform.
-  double operator()() { return 2 * static_cast<double>(bits_() >> 11U) * 0x1p-53 - 1; }
-  Vector3 vector() {
-    const double x = (*this)(), y = (*this)();
-    return {x, y, (*this)()};
-  }
+constexpr std::uint64_t seed = 20;  // of the trial states
 
- private:
-  std::mt19937_64 bits_{20};
-};
+Vector3 random_vector(Noise& noise) {
+  const double x = noise(), y = noise();
+  return {x, y, noise()};
+}
 
 /// Every point displaced at random; directors, which are about as long as `scale` of a mesh, by less.
-Vector shaken(const CaseModel& model, Vector q, double amplitude, Random& random) {
+Vector shaken(const CaseModel& model, Vector q, double amplitude, Noise& noise) {
   for (int p = 0; p < static_cast<int>(q.size() / 3); ++p) {
     const bool direction = p >= model.mesh.nodes();
-    point(q, p) += (direction ? std::min(amplitude, 0.3 * model.director_length) : amplitude) * random.vector();
+    point(q, p) += (direction ? std::min(amplitude, 0.3 * model.director_length) : amplitude) * random_vector(noise);
   }
   return q;
 }
 
 /// The sheet in long waves of the size of a quarter of itself, so that it is moved far but stretched little.
-Vector waved(const CaseModel& model, Vector q, Random& random) {
+Vector waved(const CaseModel& model, Vector q, Noise& noise) {
   for (int wave = 0; wave < 4; ++wave) {
-    const Vector3 along = 0.06 * model.size * random.vector(), number = 6 / model.size * random.vector();
-    const double phase = 3 * random();
+    const Vector3 along = 0.06 * model.size * random_vector(noise), number = 6 / model.size * random_vector(noise);
+    const double phase = 3 * noise();
     for (int i = 0; i < model.mesh.nodes(); ++i)
       point(q, i) += std::sin(number.dot(model.mesh.reference[static_cast<std::size_t>(i)]) + phase) * along;
   }
@@ -54,13 +48,13 @@ Vector waved(const CaseModel& model, Vector q, Random& random) {
 }
 
 std::vector<Vector> trial_states(const CaseModel& model, std::span<const Vector> visited) {
-  Random random;
+  Noise noise(seed);
   const double size = model.size;
-  std::vector<Vector> states{shaken(model, model.initial, 1e-3 * size, random),
-                             shaken(model, waved(model, model.initial, random), 1e-3 * size, random),
-                             shaken(model, model.initial, 0.2 * size, random)};
+  std::vector<Vector> states{shaken(model, model.initial, 1e-3 * size, noise),
+                             shaken(model, waved(model, model.initial, noise), 1e-3 * size, noise),
+                             shaken(model, model.initial, 0.2 * size, noise)};
   // Not as they are: where a kind of force is all but absent, its round-off would be all that is compared.
-  for (const auto& state : visited) states.push_back(shaken(model, state, 1e-3 * size, random));
+  for (const auto& state : visited) states.push_back(shaken(model, state, 1e-3 * size, noise));
   return states;
 }
 

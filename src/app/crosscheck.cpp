@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sundrape/app/crosscheck_report.hpp"
+#include "sundrape/app/rest_watch.hpp"
 #include "sundrape/app/run_batch.hpp"
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/case_reader.hpp"
@@ -30,7 +31,7 @@ using Verdict = MethodPair::Verdict;
 
 /// Whether an end can be held against another one.
 bool has_arrived(const MethodEnd& first, const MethodEnd& second) {
-  return second.end->residual <= Crosscheck::balanced && second.end->negative_pivots == first.end->negative_pivots;
+  return second.end->residual <= RestWatch::balanced && second.end->negative_pivots == first.end->negative_pivots;
 }
 
 /// Crosschecks choose the analyses themselves.
@@ -78,18 +79,11 @@ class Work {
     return ExitStatus::interrupted;
   }
 
-  /// An end as it is after the symmetry and the neutral motion that lay it on another one: energies stay, forces turn.
-  [[nodiscard]] EndState laid_on(EndState end, const ShapeDistance& apart) const {
-    const auto& map = symmetries_.maps[apart.map];
-    const Vector forces = map.turn(end.held_forces);
-    end.q = apart.aligned;
-    for (const auto& set : model_.reactions) {
-      auto& reaction = end.reactions[set.name];
-      reaction.setZero();
-      for (const int n : set.nodes) reaction += apart.turn * point(forces, n);
-    }
-    for (const auto& probe : model_.probes) end.probes[probe.name] = point(end.q, probe.node);
-    return end;
+  /// An end after the symmetry and the neutral motion that lay it on another one.
+  [[nodiscard]] EndState laid_on(const EndState& end, const ShapeDistance& apart) const {
+    Vector forces = symmetries_.maps[apart.map].turn(end.held_forces);
+    for (int p = 0; p < static_cast<int>(forces.size() / 3); ++p) point(forces, p) = apart.turn * point(forces, p);
+    return moved(end, model_, apart.aligned, std::move(forces));
   }
 
   static bool was_interrupted(const std::vector<BatchOutcome>& outcomes) {
@@ -136,8 +130,7 @@ class Work {
       MethodPair pair{.first = first, .second = second, .apart = {}, .laid_on = {}, .relaxed = {}};
       pair.apart = shape_distance(symmetries_, model_.mesh.nodes(), methods[first].end->q, methods[second].end->q);
       pair.laid_on = laid_on(*methods[second].end, pair.apart);
-      pair.same_drape = pair.apart.rms < check_.same_drape * check_.diagonal;
-      if (pair.apart.rms < check_.same_branch * check_.size) pair.verdict = Verdict::same_branch;
+      if (check_.is_one_branch(pair.apart.rms)) pair.verdict = Verdict::same_branch;
       check_.pairs.push_back(std::move(pair));
     }
   }
@@ -170,8 +163,7 @@ class Work {
         const auto& first = check_.methods[pairs[i]->first].end->q;
         relaxed.apart_rms = shape_distance(symmetries_, model_.mesh.nodes(), first, relaxed.end->q).rms;
         if (has_arrived(check_.methods[pairs[i]->first], check_.methods[pairs[i]->second]))
-          pairs[i]->verdict =
-              relaxed.apart_rms < check_.same_branch * check_.size ? Verdict::same_branch : Verdict::other_branch;
+          pairs[i]->verdict = check_.is_one_branch(relaxed.apart_rms) ? Verdict::same_branch : Verdict::other_branch;
       }
       pairs[i]->relaxed = std::move(relaxed);
     }

@@ -7,6 +7,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "sundrape/app/rest_watch.hpp"
+
 namespace sundrape {
 namespace {
 
@@ -20,17 +22,18 @@ std::string distance(const Crosscheck& check, double metres) {
                      100 * metres / check.size);
 }
 
-std::string verdict(const MethodEnd& a, const MethodEnd& b, const MethodPair& pair) {
+std::string verdict(const Crosscheck& check, const MethodPair& pair) {
+  const auto &a = check.methods[pair.first], &b = check.methods[pair.second];
   switch (pair.verdict) {
     case MethodPair::Verdict::same_branch:
       return fmt::format("{} and {} are on the same branch.", a.name, b.name);
     case MethodPair::Verdict::other_branch:
       return fmt::format("{} and {} are on different branches{}.", a.name, b.name,
-                         pair.same_drape ? " of one drape" : "");
+                         check.is_one_drape(pair.apart.rms) ? " of one drape" : "");
     case MethodPair::Verdict::undecided:
       break;
   }
-  const bool balances = b.end->residual <= Crosscheck::balanced;
+  const bool balances = b.end->residual <= RestWatch::balanced;
   return fmt::format("whether {} and {} are on one branch is undecided: {} ended {}.", a.name, b.name, b.name,
                      balances ? "at an equilibrium that is " + stability(*b.end) : "where forces do not balance");
 }
@@ -43,7 +46,7 @@ std::string verdict_name(MethodPair::Verdict verdict) {
 void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& text) {
   const auto out = std::back_inserter(text);
   const auto &a = check.methods[pair.first], &b = check.methods[pair.second];
-  fmt::format_to(out, "\n{}\n", verdict(a, b, pair));
+  fmt::format_to(out, "\n{}\n", verdict(check, pair));
   fmt::format_to(out, "  RMS distance  {}\n  max distance  {}\n", distance(check, pair.apart.rms),
                  distance(check, pair.apart.max));
   const double gap = b.end->total_energy - a.end->total_energy;
@@ -61,7 +64,7 @@ void pair_text(const Crosscheck& check, const MethodPair& pair, std::string& tex
   }
   fmt::format_to(out, "  the end of {} relaxes to within {} of itself (at most {:.3g} m), {}\n", b.name,
                  distance(check, pair.relaxed->moved_rms), pair.relaxed->moved_max, stability(*pair.relaxed->end));
-  if (pair.relaxed->apart_rms < check.same_branch * check.size)
+  if (check.is_one_branch(pair.relaxed->apart_rms))
     fmt::format_to(out, "  and there to within {} of {}: it had not arrived\n",
                    distance(check, pair.relaxed->apart_rms), a.name);
   else if (pair.verdict == MethodPair::Verdict::undecided)
@@ -127,7 +130,7 @@ nlohmann::json crosscheck_json(const Crosscheck& check, int nodes) {
                          {"second", check.methods[pair.second].name},
                          {"verdict", verdict_name(pair.verdict)},
                          {"same_branch", pair.verdict == MethodPair::Verdict::same_branch},
-                         {"same_drape", pair.same_drape},
+                         {"same_drape", check.is_one_drape(pair.apart.rms)},
                          {"rms_m", pair.apart.rms},
                          {"max_m", pair.apart.max},
                          {"rms_over_diagonal", pair.apart.rms / check.diagonal},

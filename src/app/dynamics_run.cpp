@@ -193,9 +193,8 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
       recorder.statistic("rests_at_s", dynamics.last().time, "time at which the cloth was found at rest [s]");
     else if (how == DynamicsEnd::stopped && watch.out_of_time())
       end = {ResultStatus::failed,
-             fmt::format(
-                 "time limit of {:g} s reached at t = {:.6g} s: continue with --resume, or raise dynamics.time_limit",
-                 *c.dynamics.time_limit, dynamics.last().time)};
+             out_of_time_message(*c.dynamics.time_limit, fmt::format("at t = {:.6g} s", dynamics.last().time),
+                                 "dynamics")};
     else if (how == DynamicsEnd::stopped)
       end = {ResultStatus::interrupted,
              fmt::format("interrupted at t = {:.6g} s: continue with --resume", dynamics.last().time)};

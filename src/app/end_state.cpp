@@ -18,6 +18,16 @@ nlohmann::json as_json(const std::map<std::string, Vector3>& vectors) {
   return json;
 }
 
+Vector held_forces(const CaseModel& model, const State& all) {
+  Vector forces(all.q.size());
+  model.system->force(all, forces);
+  const auto& unknowns = model.system->unknowns();
+  for (int p = 0; p < unknowns.points(); ++p)
+    for (int k = 0; k < 3; ++k)
+      if (!unknowns.is_held(p, k)) forces[3 * p + k] = 0;
+  return forces;
+}
+
 }  // namespace
 
 CaseModel weighing_model(Case c) {
@@ -32,30 +42,28 @@ CaseModel perfect_model(Case c) {
   return weighing_model(std::move(c));
 }
 
-EndState weigh(const CaseModel& model, Vector q) {
+EndState end_state(const CaseModel& model, const ResultReader& result) {
+  const Vector q = last_state(result, model), still = Vector::Zero(q.size());
+  const State all{0, q, still};
   EndState state;
-  state.q = std::move(q);
-  const Vector still = Vector::Zero(state.q.size());
-  const State all{0, state.q, still};
   const auto e = model.system->energies(all);
   state.energy = {{"membrane", e.membrane}, {"shear", e.shear},     {"bending", e.bending},
                   {"gravity", e.gravity},   {"contact", e.contact}, {"load", e.load}};
   state.total_energy = e.stored();
   state.residual = relative_residual(*model.system, all, model.nominal_weight());
   state.negative_pivots = negative_pivots(*model.system, all, neutral_frequency(model));
-  for (const auto& probe : model.probes) state.probes[probe.name] = point(state.q, probe.node);
-  state.held_forces = Vector::Zero(state.q.size());
-  Vector forces = state.held_forces;
-  model.system->force(all, forces);
-  for (Eigen::Index k = 0; k < forces.size(); ++k)
-    if (model.system->unknowns().is_held(static_cast<int>(k / 3), static_cast<int>(k % 3)))
-      state.held_forces[k] = forces[k];
-  for (const auto& set : model.reactions) state.reactions[set.name] = reaction(model, all, set.nodes).force;
-  return state;
+  return moved(std::move(state), model, q, held_forces(model, all));
 }
 
-EndState end_state(const CaseModel& model, const ResultReader& result) {
-  return weigh(model, last_state(result, model));
+EndState moved(EndState state, const CaseModel& model, Vector q, Vector held_forces) {
+  state.q = std::move(q);
+  state.held_forces = std::move(held_forces);
+  for (const auto& probe : model.probes) state.probes[probe.name] = point(state.q, probe.node);
+  for (const auto& set : model.reactions) {
+    auto& reaction = state.reactions[set.name] = Vector3::Zero();
+    for (const int n : set.nodes) reaction += point(state.held_forces, n);
+  }
+  return state;
 }
 
 nlohmann::json to_json(const EndState& state) {

@@ -45,10 +45,6 @@ QuadMesh build_mesh(const ClothCase& cloth) {
       cloth.shape);
 }
 
-CaseModel::Placement placement(const Place& place) {
-  return {Eigen::AngleAxisd(place.angle, place.axis.normalized()).matrix(), place.translate};
-}
-
 Vector flatten(const std::vector<Vector3>& positions) {
   Vector q(static_cast<Eigen::Index>(3 * positions.size()));
   for (std::size_t i = 0; i < positions.size(); ++i) q.segment<3>(static_cast<Eigen::Index>(3 * i)) = positions[i];
@@ -244,6 +240,10 @@ Sheet make_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, co
 constexpr double director_rate_slack = 100;
 
 }  // namespace
+
+RigidPlacement placement(const Place& place) {
+  return {Eigen::AngleAxisd(place.angle, place.axis.normalized()).matrix(), place.translate};
+}
 
 std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place) {
   const auto stands = placement(place);

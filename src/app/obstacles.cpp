@@ -1,7 +1,6 @@
 #include "sundrape/app/obstacles.hpp"
 
-#include <Eigen/Geometry>
-
+#include "sundrape/app/model.hpp"
 #include "sundrape/force/obstacle_box.hpp"
 #include "sundrape/force/obstacle_capsule.hpp"
 #include "sundrape/force/obstacle_cylinder.hpp"
@@ -58,15 +57,14 @@ Shape shape(const DiscPedestalShape& s) {
 BuiltObstacle build_obstacle(const ObstacleCase& c) {
   try {
     Shape s = std::visit([](const auto& given) { return shape(given); }, c.shape);
-    const RigidPlacement placement{
-        Eigen::AngleAxisd(c.place.angle, c.place.axis.normalized()).toRotationMatrix() * s.own_rotation,
-        c.place.translate};
+    auto stands = placement(c.place);
+    stands.rotation *= s.own_rotation;
     ObstacleRecord record{.name = c.name,
                           .kind = s.kind,
                           .parameters = s.parameters,
-                          .position = placement.translation,
-                          .rotation = placement.rotation};
-    return {std::make_shared<PlacedObstacle>(std::move(s.obstacle), placement), std::move(record)};
+                          .position = stands.translation,
+                          .rotation = stands.rotation};
+    return {std::make_shared<PlacedObstacle>(std::move(s.obstacle), stands), std::move(record)};
   } catch (const std::invalid_argument& problem) {
     throw CaseError(c.source, problem.what());
   }

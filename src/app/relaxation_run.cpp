@@ -5,6 +5,7 @@
 #include "sundrape/app/analyses.hpp"
 #include "sundrape/app/continuation.hpp"
 #include "sundrape/app/solver_choice.hpp"
+#include "sundrape/app/stop_request.hpp"
 #include "sundrape/statics/chapter_relaxation.hpp"
 #include "sundrape/statics/stability.hpp"
 #include "sundrape/statics/stable_neighbour.hpp"
@@ -180,11 +181,9 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
                       "\"relax\" or another cloth.waviness leads to a stable one",
                       *found.pivots));
   } else if (watch.out_of_time()) {
-    end = {
-        ResultStatus::failed,
-        fmt::format(
-            "time limit of {:g} s reached with residual {:.3g}: continue with --resume, or raise relaxation.time_limit",
-            *c.relaxation.time_limit, result.residual)};
+    end = {ResultStatus::failed,
+           out_of_time_message(*c.relaxation.time_limit, fmt::format("with residual {:.3g}", result.residual),
+                               "relaxation")};
   } else if (result.end == RelaxationEnd::stopped) {
     end = {ResultStatus::interrupted,
            fmt::format("interrupted with residual {:.3g}: continue with --resume", result.residual)};

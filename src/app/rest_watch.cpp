@@ -8,12 +8,6 @@
 #include "sundrape/statics/stability.hpp"
 
 namespace sundrape {
-namespace {
-
-constexpr double balance_tolerance = 0.01;
-
-}  // namespace
-
 RestWatch::RestWatch(const CaseModel& model, double part, double earliest)
     : system_(*model.system),
       window_(2 * std::numbers::pi * std::sqrt(model.size / model.gravity)),
@@ -30,7 +24,7 @@ void RestWatch::step(const State& all) {
   if (!calm || all.time < earliest_ || all.time - calm_since_ < window_) return;
   const Vector still = Vector::Zero(all.v.size());
   const State here{all.time, all.q, still};
-  if (relative_residual(system_, here, force_scale_) > balance_tolerance) return;
+  if (relative_residual(system_, here, force_scale_) > balanced) return;
   rests_ = negative_pivots(system_, here, neutral_frequency_).value_or(0) == 0;
   calm_since_ = all.time;  // an unstable one is looked at again after as long
 }

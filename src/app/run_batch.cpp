@@ -12,6 +12,7 @@
 #include "sundrape/app/child_process.hpp"
 #include "sundrape/app/interrupt.hpp"
 #include "sundrape/app/progress.hpp"
+#include "sundrape/app/stop_request.hpp"
 #include "sundrape/io/case_reader.hpp"
 #include "sundrape/io/file_error.hpp"
 #include "sundrape/io/result_reader.hpp"
@@ -38,7 +39,7 @@ Earlier earlier_result(const fs::path& file, const Case& c) {
     if (result.case_text() != c.text || result.inputs() != c.inputs || result.version() != version())
       return Earlier::nothing;
     if (result.status() == "done") return Earlier::done;
-    const bool out_of_time = result.status() == "failed" && result.message().starts_with("time limit");
+    const bool out_of_time = result.status() == "failed" && says_out_of_time(result.message());
     const bool stopped = result.status() != "failed" || out_of_time;
     return stopped && c.analysis != Analysis::relaxation && result.checkpoint() ? Earlier::resumable : Earlier::nothing;
   } catch (const FileError&) {  // broken: run again

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Geometry>
-
+#include "sundrape/app/model.hpp"
 #include "sundrape/force/director_length.hpp"
 #include "sundrape/force/director_moment.hpp"
 #include "sundrape/force/edge_moment.hpp"
@@ -96,7 +95,7 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
   sheet.terms.push_back(
       std::make_unique<DirectorLength>(std::move(springs), sheet.director_length, fabric.damping.membrane));
 
-  const Eigen::AngleAxisd turn(c.cloth.place.angle, c.cloth.place.axis.normalized());
+  const Matrix3 turn = placement(c.cloth.place).rotation;
   for (const auto& t : directors) sheet.directors.emplace_back(turn * t);
   return sheet;
 }

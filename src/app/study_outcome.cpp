@@ -8,9 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "sundrape/app/shape_distance.hpp"
-#include "sundrape/io/case_error.hpp"
 #include "sundrape/io/case_reader.hpp"
-#include "sundrape/io/mesh_difference.hpp"
 
 namespace sundrape {
 namespace {
@@ -51,15 +49,6 @@ void sort_group(const Study& study, const StudyOutcome& outcome, const CaseModel
   }
 }
 
-/// Which values a run's group has on the axes that make groups.
-std::vector<std::size_t> values_of_group(const Study& study, std::size_t run) {
-  const auto chosen = study.combination(run);
-  std::vector<std::size_t> values;
-  values.reserve(study.group_axes.size());
-  for (const auto axis : study.group_axes) values.push_back(chosen[axis]);
-  return values;
-}
-
 std::string file_safe(std::string text) {
   std::erase(text, '"');
   for (char& c : text)
@@ -92,33 +81,12 @@ std::vector<std::string> run_names(const Study& study) {
   return names;
 }
 
-void require_comparable_runs(const Study& study, const std::vector<std::string>& names) {
-  std::map<std::vector<std::size_t>, std::pair<std::size_t, CaseModel>> first;  // run and model, by group
-  for (std::size_t run = 0; run < study.runs(); ++run) {
-    auto model = weighing_model(read_case(study.case_file, study.settings(run)));
-    auto values = values_of_group(study, run);
-    const auto found = first.find(values);
-    if (found == first.end()) {
-      first.emplace(std::move(values), std::pair(run, std::move(model)));
-      continue;
-    }
-    const auto& [earlier, other] = found->second;
-    auto difference = mesh_difference(other.mesh, model.mesh, but_for_waviness);
-    if (difference.empty() && other.has_directors() != model.has_directors())
-      difference = "one is a particle net, the other one a shell";
-    if (!difference.empty())
-      throw CaseError(study.file.string(), 0, "branches.group_by",
-                      fmt::format("{} and {} cannot be compared: {}; name the axis that makes the difference",
-                                  names[earlier], names[run], difference));
-  }
-}
-
 StudyOutcome study_outcome(const Study& study, std::vector<std::string> names, std::vector<BatchOutcome> runs) {
   StudyOutcome outcome{.names = std::move(names), .runs = std::move(runs), .ends = {}, .groups = {}};
   outcome.ends.resize(outcome.runs.size());
   std::map<std::vector<std::size_t>, StudyGroup> groups;  // by the values of the group axes
   for (std::size_t run = 0; run < outcome.runs.size(); ++run) {
-    auto values = values_of_group(study, run);
+    auto values = study.group_of(run);
     auto& group = groups[values];
     group.values = std::move(values);
     if (outcome.runs[run].status == BatchStatus::done) group.runs.push_back(run);

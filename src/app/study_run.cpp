@@ -2,35 +2,60 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sundrape/app/model.hpp"
+#include "sundrape/app/end_state.hpp"
 #include "sundrape/app/study_outcome.hpp"
 #include "sundrape/app/study_report.hpp"
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/case_reader.hpp"
+#include "sundrape/io/mesh_difference.hpp"
 
 #include "write_text.hpp"
 
 namespace sundrape {
 namespace {
 
-/// Reads every run's case and builds the first one. What the case says to a value becomes what the study's line says.
-void require_settings(const Study& study) {
+/// In a handler: what the case says to a value becomes what the study's line says.
+[[noreturn]] void rethrow(const Study& study, std::size_t run, const CaseError& problem) {
+  const auto chosen = study.combination(run);
+  for (std::size_t a = 0; a < study.axes.size(); ++a) {
+    const auto& axis = study.axes[a];
+    if (problem.file() == fmt::format("--set {}={}", axis.key, axis.values[chosen[a]]))
+      throw CaseError(axis.source, fmt::format("{} = {}: {}", axis.key, axis.values[chosen[a]], problem.message()));
+  }
+  throw;
+}
+
+/// Why two runs' ends cannot be held against each other; empty if they can.
+std::string difference(const CaseModel& a, const CaseModel& b) {
+  if (a.has_directors() != b.has_directors()) return "one is a particle net, the other one a shell";
+  return mesh_difference(a.mesh, b.mesh, but_for_waviness);
+}
+
+/// Reads every run's case and builds its model, so that what is wrong is said before any of them runs.
+/// @throws CaseError  also on different meshes, or a net and a shell, in one group
+void require_runs(const Study& study, const std::vector<std::string>& names) {
+  std::map<std::vector<std::size_t>, std::pair<std::size_t, CaseModel>> first;  // run and model, by group
   for (std::size_t run = 0; run < study.runs(); ++run) {
     try {
-      const Case c = read_case(study.case_file, study.settings(run));
-      if (run == 0) (void)build_model(c);
-    } catch (const CaseError& problem) {
-      const auto chosen = study.combination(run);
-      for (std::size_t a = 0; a < study.axes.size(); ++a) {
-        const auto& axis = study.axes[a];
-        if (problem.file() == fmt::format("--set {}={}", axis.key, axis.values[chosen[a]]))
-          throw CaseError(axis.source, fmt::format("{} = {}: {}", axis.key, axis.values[chosen[a]], problem.message()));
+      auto model = weighing_model(read_case(study.case_file, study.settings(run)));
+      const auto group = study.group_of(run);
+      const auto found = first.find(group);
+      if (found == first.end()) {
+        first.emplace(group, std::pair(run, std::move(model)));
+        continue;
       }
-      throw;
+      const auto& [earlier, other] = found->second;
+      if (const auto why = difference(other, model); !why.empty())
+        throw CaseError(study.file.string(), 0, "branches.group_by",
+                        fmt::format("{} and {} cannot be compared: {}; name the axis that makes the difference",
+                                    names[earlier], names[run], why));
+    } catch (const CaseError& problem) {
+      rethrow(study, run, problem);
     }
   }
 }
@@ -39,10 +64,9 @@ void require_settings(const Study& study) {
 
 ExitStatus run_study(const StudyOptions& options) {
   const Study study = read_study(options.study_file);
-  require_settings(study);
   const auto folder = options.folder.value_or(options.study_file.stem());
   auto names = run_names(study);
-  require_comparable_runs(study, names);
+  require_runs(study, names);
   std::vector<BatchRun> runs;
   for (std::size_t run = 0; run < study.runs(); ++run) runs.push_back({names[run], study.settings(run)});
   auto outcomes = run_batch(

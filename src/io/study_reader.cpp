@@ -116,6 +116,14 @@ std::vector<std::size_t> Study::combination(std::size_t run) const {
   return chosen;
 }
 
+std::vector<std::size_t> Study::group_of(std::size_t run) const {
+  const auto chosen = combination(run);
+  std::vector<std::size_t> values;
+  values.reserve(group_axes.size());
+  for (const auto axis : group_axes) values.push_back(chosen[axis]);
+  return values;
+}
+
 std::vector<std::string> Study::settings(std::size_t run) const {
   auto all = sets;
   const auto chosen = combination(run);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -45,6 +44,25 @@ struct Anchors {
   std::vector<int> images_of_a, images_of_b;
 };
 
+/// The first two candidates whose directions from the centre differ well, or else those that differ most.
+std::pair<std::size_t, std::size_t> in_different_directions(const std::vector<std::size_t>& candidates,
+                                                            const std::vector<Vector3>& places) {
+  constexpr double well = 0.1, least = 1e-6;  // sines of the angle between
+  std::pair<std::size_t, std::size_t> best;
+  double largest = least;
+  for (const auto a : candidates)
+    for (const auto b : candidates) {
+      const double sine = places[a].normalized().cross(places[b].normalized()).norm();
+      if (sine <= largest) continue;
+      largest = sine;
+      best = {a, b};
+      if (sine > well) return best;
+    }
+  if (largest == least)
+    throw std::invalid_argument("the nodes of the mesh lie on one line: its symmetries are not defined");
+  return best;
+}
+
 Anchors find_anchors(const std::vector<Vector3>& places, double size, double slack) {
   // For each node the number that are as far out, counted in the sorted list of distances.
   std::vector<double> distances;
@@ -60,20 +78,7 @@ Anchors find_anchors(const std::vector<Vector3>& places, double size, double sla
   for (std::size_t i = 0; i < places.size(); ++i)
     if (distances[i] > 0.1 * size) candidates.push_back(i);  // near ones fix a direction badly
   std::ranges::stable_sort(candidates, {}, company);
-  double largest = 1e-6;
-  std::optional<std::pair<std::size_t, std::size_t>> best;
-  for (const auto a : candidates) {
-    for (const auto b : candidates) {
-      const double sine = places[a].cross(places[b]).norm() / (distances[a] * distances[b]);
-      if (sine <= largest) continue;
-      largest = sine;
-      best = {a, b};
-      if (sine > 0.1) break;
-    }
-    if (largest > 0.1) break;
-  }
-  if (!best) throw std::invalid_argument("the nodes of the mesh lie on one line: its symmetries are not defined");
-  const auto [a, b] = *best;
+  const auto [a, b] = in_different_directions(candidates, places);
   return {a, b, as_far_as(a, places, slack), as_far_as(b, places, slack)};
 }
 

@@ -3,7 +3,7 @@
 namespace sundrape {
 namespace {
 
-constexpr int most_cuts = 7;
+constexpr int most_halvings = 7;
 
 }  // namespace
 
@@ -15,8 +15,8 @@ BranchStart start_on_branch(StageSolver& s, const CriticalPoint& bifurcation) {
     s.equations.move(start.at.q, amplitude * along, start.at.load_factor);
     start.found = correct_on_plane(s, along, 0, start.at);
     start.iterations += start.found.iterations;
-    if (start.found.converged || start.cuts == most_cuts) return start;
-    ++start.cuts;
+    if (start.found.converged || start.halvings == most_halvings) return start;
+    ++start.halvings;
   }
 }
 

@@ -7,7 +7,7 @@ namespace sundrape {
 struct BranchStart {
   PathPoint at;
   Correction found;
-  int cuts = 0;        // how often the move along the mode was halved
+  int halvings = 0;    // how often the move along the mode was halved
   int iterations = 0;  // of all tries
 };
 

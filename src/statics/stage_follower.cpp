@@ -12,11 +12,11 @@
 namespace sundrape {
 namespace {
 
-constexpr int most_cuts = 30;
+constexpr int most_halvings = 30;
 constexpr int most_short_steps =
     10;  // below a tenth of the first increment, before cloth is taken to have come to an end
-constexpr int cuts_for_a_kink = 4;  // that far a step is halved because it turns off its prediction
-constexpr double same_load = 1e-9;  // load factors closer than this are one
+constexpr int halvings_for_a_kink = 4;  // that far a step is halved because it turns off its prediction
+constexpr double same_load = 1e-9;      // load factors closer than this are one
 constexpr double least_cosine =
     0.5;  // between a step and its prediction: one that turns further may have left the path
 constexpr double farthest =
@@ -96,7 +96,7 @@ StageFollower::Failure StageFollower::step() {
   const double intended = length / norm;
   // under load control forces that differ by less than the tolerance are the same
   const double least = options_.control == PathControl::load ? options_.tolerance * norm : 0;
-  for (int cuts = 0; cuts <= most_cuts && length > least; ++cuts, length /= 2) {
+  for (int halvings = 0; halvings <= most_halvings && length > least; ++halvings, length /= 2) {
     double load = sense * length / norm;
     if (at_.load_factor + load > 1) load = 1 - at_.load_factor;  // not further than the full load
     PathPoint to = here();
@@ -106,16 +106,16 @@ StageFollower::Failure StageFollower::step() {
     at_.iterations += found.iterations;
     if (found.converged && to.load_factor > 1 + same_load) found = back_to_full_load(to);
     // where a contact closes the path has a kink, which no shorter step avoids
-    if (found.converged && !first && cuts < cuts_for_a_kink && strays(to, sense)) found.converged = false;
+    if (found.converged && !first && halvings < halvings_for_a_kink && strays(to, sense)) found.converged = false;
     if (found.converged && options_.fall && to.load_factor <= at_.load_factor) found.converged = false;
     if (found.converged) {
       const double predicted = std::abs(load) * by_load_.cwiseAbs().maxCoeff();
-      accept(to, found, cuts, std::abs(load) * norm);
+      accept(to, found, halvings, std::abs(load) * norm);
       if (first || options_.control == PathControl::load) doubt(found, predicted, first);
       return after_step();
     }
     if (observer_.wants_to_stop()) return PathResult{PathEnd::stopped, ""};
-    if (options_.fall && cuts == cuts_for_a_kink - 1) return fall_further(intended);
+    if (options_.fall && halvings == halvings_for_a_kink - 1) return fall_further(intended);
   }
   return stall(fmt::format("no equilibrium found near by, down to increments of {:.2g}", length / norm),
                options_.control == PathControl::load
@@ -170,8 +170,8 @@ bool StageFollower::strays(const PathPoint& to, double sense) const {
   return sense * solver_.dot(way, load, by_load_, 1) < least_cosine * lengths;
 }
 
-void StageFollower::accept(const PathPoint& to, const Correction& found, int cuts, double length) {
-  before_ = AssessedPoint{here(), pivots_.value_or(-1)};
+void StageFollower::accept(const PathPoint& to, const Correction& found, int halvings, double length) {
+  before_ = pivots_ ? std::optional(AssessedPoint{here(), *pivots_}) : std::nullopt;
   was_forward_ = forward_;
   at_.step_q = to.q - at_.q;
   at_.step_load = to.load_factor - at_.load_factor;
@@ -185,8 +185,7 @@ void StageFollower::accept(const PathPoint& to, const Correction& found, int cut
   const bool known = assess();
   count_factorizations();
   observer_.step(at_, {.iterations = found.iterations,
-                       .cuts = cuts,
-                       .arc_length = at_.arc_length,
+                       .halvings = halvings,
                        .residual = found.residual,
                        .negative_pivots = known ? pivots_ : std::nullopt});
 }
@@ -200,7 +199,7 @@ StageFollower::Failure StageFollower::after_step() {
 }
 
 StageFollower::Failure StageFollower::meet_critical_points() {
-  if (!pivots_ || before_.negative_pivots < 0 || *pivots_ == before_.negative_pivots) return {};
+  if (!pivots_ || !before_ || *pivots_ == before_->negative_pivots) return {};
   const AssessedPoint after{here(), *pivots_};
   Failure end;
   const auto met = [&](const CriticalPoint& point) {
@@ -214,7 +213,7 @@ StageFollower::Failure StageFollower::meet_critical_points() {
       end = switch_branch(point);
     return false;
   };
-  const auto unexplained = each_critical_point(solver_, before_, after, forward_ != was_forward_, met);
+  const auto unexplained = each_critical_point(solver_, *before_, after, forward_ != was_forward_, met);
   if (unexplained)
     observer_.warn(fmt::format(
         "negative pivots change from {} to {} between load factors {:.6g} and {:.6g} of stage {}, but no "
@@ -234,7 +233,7 @@ StageFollower::Failure StageFollower::switch_branch(const CriticalPoint& bifurca
     return stall("no equilibrium was found on the branch along the mode of a bifurcation",
                  "try another arc-length.branch_amplitude, or its negative");
   pivots_.reset();
-  accept(start.at, start.found, start.cuts, 0);
+  accept(start.at, start.found, start.halvings, 0);
   observer_.remark(fmt::format("left the path along the mode of the bifurcation at load factor {:.6g} of stage {}",
                                bifurcation.load_factor, bifurcation.stage));
   return {};

@@ -30,7 +30,7 @@ class StageFollower {
   /// Whether a step has gone another way than predicted.
   [[nodiscard]] bool strays(const PathPoint& to, double sense) const;
   /// @param length  of the step; 0: whatever it comes to
-  void accept(const PathPoint& to, const Correction& found, int cuts, double length);
+  void accept(const PathPoint& to, const Correction& found, int halvings, double length);
   /// What to do about the step that was accepted last.
   Failure after_step();
   /// Critical points that the last step has passed.
@@ -65,8 +65,8 @@ class StageFollower {
   std::optional<int> pivots_;  // negative ones
   bool forward_ = true;        // towards more load
 
-  bool was_forward_ = true;  // before the last step
-  AssessedPoint before_;     // where that began; -1 pivots: not known
+  bool was_forward_ = true;              // before the last step
+  std::optional<AssessedPoint> before_;  // where that began; nothing where its pivots are not known
 };
 
 }  // namespace sundrape

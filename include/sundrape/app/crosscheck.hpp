@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +34,7 @@ struct MethodEnd {
 struct MethodPair {
   std::size_t first = 0, second = 0;  // methods
   ShapeDistance apart;
-  EndState laid_on;         // the second's end after the symmetry that brings it closest to the first's
-  bool same_drape = false;  // nearer than Crosscheck::same_drape
+  EndState laid_on;  // the second's end after the symmetry that brings it closest to the first's
   enum class Verdict { same_branch, other_branch, undecided };
   /// Undecided where the second one's end is no equilibrium, or not as stable as the first one's, and far from it.
   Verdict verdict = Verdict::undecided;
@@ -55,14 +53,17 @@ struct MethodPair {
 /// One case by every method that finds equilibria, and how they agree.
 struct Crosscheck {
   std::string title;
-  double diagonal = 0, size = 0;            // of the cloth; its longest side [m]
-  double energy_scale = 0;                  // weight × L [J]
-  static constexpr double balanced = 0.01;  // residual of an end that may be called an equilibrium, as of one at rest
-  double same_drape = 0.01;                 // RMS over the diagonal below which two ends look alike
-  double same_branch = 1e-3;                // RMS over the longest side below which they are one equilibrium
+  double diagonal = 0, size = 0;  // of the cloth; its longest side [m]
+  double energy_scale = 0;        // weight × L [J]
+  double same_drape = 0.01;       // RMS over the diagonal below which two ends look alike
+  double same_branch = 1e-3;      // RMS over the longest side below which they are one equilibrium
   std::size_t symmetries = 0;
   std::vector<MethodEnd> methods;
   std::vector<MethodPair> pairs;
+
+  /// Of RMS distances [m].
+  [[nodiscard]] bool is_one_branch(double apart) const { return apart < same_branch * size; }
+  [[nodiscard]] bool is_one_drape(double apart) const { return apart < same_drape * diagonal; }
 };
 
 /// relaxation, arc-length, dynamics.

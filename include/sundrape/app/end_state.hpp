@@ -29,12 +29,15 @@ struct EndState {
 /// The same without any waviness: the one that has the symmetries.
 [[nodiscard]] CaseModel perfect_model(Case c);
 
-/// @param model  as weighing_model or perfect_model makes it
-[[nodiscard]] EndState weigh(const CaseModel& model, Vector q);
-
 /// The last frame of a result, weighed.
+/// @param model  as weighing_model or perfect_model makes it
 /// @throws FileError  as last_state
 [[nodiscard]] EndState end_state(const CaseModel& model, const ResultReader& result);
+
+/// An end moved as a whole to where a symmetry or a neutral motion of the case takes it: energies stay, forces turn.
+/// @param q            where its points are then, 3P [m]
+/// @param held_forces  as they act there, 3P [N]
+[[nodiscard]] EndState moved(EndState state, const CaseModel& model, Vector q, Vector held_forces);
 
 [[nodiscard]] nlohmann::json to_json(const EndState& state);
 

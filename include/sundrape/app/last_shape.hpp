@@ -13,9 +13,7 @@ struct ShapeAtRest {
 };
 
 /// The last frame of a result on the mesh.
-/// @throws FileError  another mesh (but for waviness at rest), no frame, or positions
-/// that
-///                    are not finite
+/// @throws FileError  another mesh (but for waviness at rest), no frame, or positions that are not finite
 [[nodiscard]] ShapeAtRest last_shape(const ResultReader& result, const QuadMesh& mesh);
 
 /// The same as a state of all points of a model, 3P [m]; a shell's directors go with the nodes' normals where the

@@ -23,15 +23,8 @@ struct CaseModel {
     std::vector<int> nodes;
   };
 
-  /// Rest shape to initial position, x = R X + t.
-  struct Placement {
-    Matrix3 rotation = Matrix3::Identity();
-    Vector3 translation = Vector3::Zero();  // [m]
-    [[nodiscard]] Vector3 operator()(const Vector3& x) const { return rotation * x + translation; }
-  };
-
   QuadMesh mesh;
-  Placement placement;
+  RigidPlacement placement;  // rest shape to initial position
   std::unique_ptr<System> system;
   Vector initial;  // placed and wavy positions, then directors times ℓ, 3P [m]
   EdgeStrains edge_strains;
@@ -68,6 +61,8 @@ struct CaseModel {
 /// loads
 ///                    that find no edge, supports in conflict, a mesh that cannot be used
 [[nodiscard]] CaseModel build_model(const Case& c);
+
+[[nodiscard]] RigidPlacement placement(const Place& place);
 
 /// Where points of the rest shape stand once the sheet is placed [m]: what selectors look at.
 [[nodiscard]] std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place);

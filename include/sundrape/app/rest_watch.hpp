@@ -9,6 +9,8 @@ namespace sundrape {
 /// leave. The time keeps turning points of slow swings out, the forces a creep through thick air.
 class RestWatch {
  public:
+  static constexpr double balanced = 0.01;  // |out-of-balance force| / |external force| of what may be called at rest
+
   /// @param part  of weight × L, > 0
   /// @param earliest  when loads have reached their full size [s]
   RestWatch(const CaseModel& model, double part, double earliest);

@@ -1,10 +1,21 @@
 #pragma once
 #include <chrono>
 #include <optional>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "sundrape/app/interrupt.hpp"
 
 namespace sundrape {
+
+/// What a run says that its time limit [s] has ended: where, and what to try; `table` is that of the analysis.
+[[nodiscard]] inline std::string out_of_time_message(double limit, const std::string& where, const char* table) {
+  return fmt::format("time limit of {:g} s reached {}: continue with --resume, or raise {}.time_limit", limit, where,
+                     table);
+}
+/// Whether a failed run's message is such a one.
+[[nodiscard]] inline bool says_out_of_time(const std::string& message) { return message.starts_with("time limit"); }
 
 /// Whether a run is to end before it is done: a signal, or the wall clock.
 class StopRequest {

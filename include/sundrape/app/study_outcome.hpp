@@ -33,10 +33,6 @@ struct StudyOutcome {
 /// too long or not its own.
 [[nodiscard]] std::vector<std::string> run_names(const Study& study);
 
-/// Builds every run's model, to see before any of them runs that those of one group can be compared.
-/// @throws CaseError  different meshes, or a net and a shell, in one group
-void require_comparable_runs(const Study& study, const std::vector<std::string>& names);
-
 /// Reads the results of finished runs, and sorts each group's end states into drapes.
 /// @throws FileError  a result cannot be read
 [[nodiscard]] StudyOutcome study_outcome(const Study& study, std::vector<std::string> names,

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sundrape/types.hpp"
+#include "sundrape/mesh/rigid_placement.hpp"
 
 namespace sundrape {
 
@@ -24,12 +24,6 @@ class Obstacle {
   [[nodiscard]] virtual Distance distance(const Vector3& x) const = 0;
   /// An axis-aligned box around the body; infinite where the body is.
   [[nodiscard]] virtual Eigen::AlignedBox3d bounds() const = 0;
-};
-
-/// A rotation, then a translation.
-struct RigidPlacement {
-  Matrix3 rotation = Matrix3::Identity();
-  Vector3 translation = Vector3::Zero();
 };
 
 /// The shortest rotation that takes the z axis to `axis`, which may have any length.

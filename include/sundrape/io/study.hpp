@@ -28,6 +28,8 @@ struct Study {
   [[nodiscard]] std::size_t runs() const;
   /// Which value of each axis a run has; the last axis varies fastest.
   [[nodiscard]] std::vector<std::size_t> combination(std::size_t run) const;
+  /// Of these, those of the axes that make groups: runs that agree in them are of one group.
+  [[nodiscard]] std::vector<std::size_t> group_of(std::size_t run) const;
   /// Settings of a run: those of all runs, then one an axis.
   [[nodiscard]] std::vector<std::string> settings(std::size_t run) const;
 };

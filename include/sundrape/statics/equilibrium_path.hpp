@@ -44,7 +44,7 @@ struct PathPosition {
   Vector q = {};       // all points, 3P [m]
   Vector step_q = {};  // last accepted step, 3P [m]; zero at the start of a stage
   double step_load = 0;
-  double arc_length = 0;    // of that step; 0 at the start of a stage
+  double arc_length = 0;    // of that step, in units of (19), lengths over L; 0 at the start of a stage
   int step_iterations = 0;  // N_{n−1} of (20)
   int bifurcations = 0;     // bifurcations so far
   long steps = 0, iterations = 0, factorizations = 0;
@@ -52,8 +52,7 @@ struct PathPosition {
 
 /// One accepted step.
 struct PathStep {
-  int iterations = 0, cuts = 0;        // corrections, and how often the step was halved
-  double arc_length = 0;               // in units of (19), lengths over L
+  int iterations = 0, halvings = 0;    // corrections, and how often the step was halved
   double residual = 0;                 // |out-of-balance force| / |loads|
   std::optional<int> negative_pivots;  // of the tangent at its end
 };
