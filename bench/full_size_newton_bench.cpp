@@ -79,7 +79,7 @@ NewtonSystem newton_system(const Tablecloth& cloth) {
   Vector q(cloth.model.initial.size());
   Vector v(q.size());
   Vector f(q.size());
-  cloth.system().expand(newton.q, newton.v, q, v);
+  cloth.system().expand(0, newton.q, newton.v, q, v);
   cloth.system().force({report.time, q, v}, f);
   newton.r_v.resize(newton.q.size());
   cloth.system().unknowns().gather(f, newton.r_v);
@@ -100,7 +100,7 @@ struct Result {
 std::vector<Result> at_full_size(const Tablecloth& cloth, const NewtonSystem& newton) {
   Vector q(cloth.model.initial.size());
   Vector v(q.size());
-  cloth.system().expand(newton.q, newton.v, q, v);
+  cloth.system().expand(0, newton.q, newton.v, q, v);
   FullSizeMatrix matrix(cloth.system());
   const double assembly = least_cpu(calls, [&] { matrix.assemble({newton.time, q, v}); });
   const double fill = least_cpu(calls, [&] { matrix.fill_newton(newton.c); });

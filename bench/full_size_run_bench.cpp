@@ -163,7 +163,7 @@ class FullSizeCvode {
 
   void write_jacobian(double t, ConstVectorRef y, SUNMatrix to) {
     const auto n = y.size() / 2;
-    form_.system().expand(y.head(n), y.tail(n), q_, v_);
+    form_.system().expand(t, y.head(n), y.tail(n), q_, v_);
     jacobian_.assemble({t, q_, v_});
     jacobian_.fill_jacobian();
     std::ranges::copy(jacobian_.column_start(), SUNSparseMatrix_IndexPointers(to));

@@ -10,6 +10,7 @@ find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(assimp REQUIRED)
 
 # SuiteSparse 5 and UDUNITS ship no CMake package. Makes the imported target sundrape::<name>.
 function(sundrape_find_library name header header_folder)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sundrape/app/analyses.hpp"
+#include "sundrape/app/mishaps.hpp"
 #include "sundrape/app/rest_watch.hpp"
 #include "sundrape/app/solver_choice.hpp"
 #include "sundrape/app/stop_request.hpp"
@@ -75,9 +76,10 @@ class Watch final : public DynamicsObserver {
         integrator_(integrator),
         recorder_(recorder),
         progress_(progress),
+        mishaps_(c, model),
         stop_(c.dynamics.time_limit),
         last_checkpoint_(Clock::now()) {
-    if (c.dynamics.until_rest) rest_.emplace(model, *c.dynamics.until_rest, c.longest_ramp());
+    if (c.dynamics.until_rest) rest_.emplace(model, *c.dynamics.until_rest, c.settled_after());
     if (recorder.restart()) last_step_size_ = recorder.restart()->step_size;
   }
 
@@ -102,6 +104,8 @@ class Watch final : public DynamicsObserver {
                            {"contacts", contact.contacts}});
     last_step_size_ = report.step_size;
     if (rest_) rest_->step(all);
+    mishap_ = mishaps_.at(all);
+    fastest_creep_ = contact.fastest_creep;
     if (!checkpoint_written_ ||
         std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() > case_.output.checkpoint_every)
       checkpoint();
@@ -112,7 +116,10 @@ class Watch final : public DynamicsObserver {
           report.time / case_.output.frame_times.back());
   }
 
-  [[nodiscard]] bool wants_to_stop() override { return rests() || stop_.wanted(); }
+  [[nodiscard]] bool wants_to_stop() override { return mishap_ || rests() || stop_.wanted(); }
+  [[nodiscard]] const std::optional<std::string>& mishap() const { return mishap_; }
+  /// Of what friction held when the last step ended [m/s].
+  [[nodiscard]] double fastest_creep() const { return fastest_creep_; }
   [[nodiscard]] bool out_of_time() const { return stop_.out_of_time(); }
   [[nodiscard]] bool rests() const { return rest_ && rest_->rests(); }
 
@@ -136,6 +143,9 @@ class Watch final : public DynamicsObserver {
   Recorder& recorder_;
   Progress& progress_;
   Dynamics* dynamics_ = nullptr;
+  Mishaps mishaps_;
+  std::optional<std::string> mishap_;
+  double fastest_creep_ = 0;
   StopRequest stop_;
   Clock::time_point last_checkpoint_;
   bool checkpoint_written_ = false;
@@ -187,9 +197,12 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     } else {
       how = dynamics.run(0, model.initial, Vector::Zero(model.initial.size()), true);
     }
-    if (c.dynamics.until_rest && !watch.rests() && how == DynamicsEnd::reached)
+    if (c.dynamics.until_rest && !watch.mishap() && !watch.rests() && how == DynamicsEnd::reached)
       recorder.warn("the cloth does not rest at the end: raise dynamics.duration or material.damping.mass");
-    if (watch.rests())
+    if (watch.mishap()) {
+      end = {ResultStatus::failed, fmt::format("at t = {:.6g} s {}", dynamics.last().time, *watch.mishap())};
+      failed = true;
+    } else if (watch.rests())
       recorder.statistic("rests_at_s", dynamics.last().time, "time at which the cloth was found at rest [s]");
     else if (how == DynamicsEnd::stopped && watch.out_of_time())
       end = {ResultStatus::failed,
@@ -209,6 +222,9 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     // not part of the checkpoint, so that a resumed run has frames at its frame times only
     if (failed) watch.frame_of_the_end();
   }
+  if (model.contact != nullptr && model.contact->has_friction())
+    recorder.statistic("fastest_creep_m_per_s", watch.fastest_creep(),
+                       "of the contact points that friction holds, at the end [m/s]");
   record_statistics(since_the_start(integrator->statistics(), recorder.restart()), dynamics.audit().at(last), recorder);
   return end;
 }

@@ -72,7 +72,14 @@ std::vector<PrescribedMotion> carry(const Case& c, CaseModel& model, const std::
     for (const int node : nodes)
       for (std::size_t k = 0; k < 3; ++k)
         if (motion.components[k]) supports.position[static_cast<std::size_t>(node)][k] = true;
-    motions.push_back({nodes, motion.components, motion.path, LoadCourse{0, motion.stages}});
+    PrescribedMotion carried{nodes, motion.components, course_of(motion.course)};
+    if (motion.rotation)
+      for (const int node : nodes) {
+        supports.clamped[static_cast<std::size_t>(node)] = true;
+        supports.director[static_cast<std::size_t>(node)] = {true, true, true};
+        if (c.model == Model::shell) carried.directions.push_back(model.mesh.nodes() + node);
+      }
+    motions.push_back(std::move(carried));
     model.reactions.push_back({motion.name, std::move(nodes)});
   }
   return motions;
@@ -164,10 +171,10 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
 
 void add_contact(const Case& c, CaseModel& model, Terms& terms) {
   if (c.obstacles.empty()) return;
-  std::vector<std::shared_ptr<const Obstacle>> obstacles;
+  std::vector<ContactBody> bodies;
   for (const auto& obstacle : c.obstacles) {
     auto built = build_obstacle(obstacle);
-    obstacles.push_back(std::move(built.obstacle));
+    bodies.push_back(std::move(built.body));
     model.obstacles.push_back(std::move(built.record));
   }
   // finer nets spread a load over several points
@@ -178,8 +185,9 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
        .diagonal = diagonal(model.mesh),
        .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, part_of_bending_length)},
       c.contact.penetration));
-  auto term = std::make_unique<ObstacleContact>(std::move(obstacles), contact_points(model.mesh, c.contact.subdivision),
-                                                ContactLaw(stiffness, c.contact.smoothing));
+  auto term = std::make_unique<ObstacleContact>(std::move(bodies), contact_points(model.mesh, c.contact.subdivision),
+                                                ContactLaw(stiffness, c.contact.smoothing),
+                                                FrictionLaw(c.contact.friction_speed));
   model.contact = term.get();
   terms.push_back(std::move(term));
 }
@@ -202,9 +210,11 @@ double waviness(const Case& c) {
 /// within its reach start where it carries their own weight.
 void lay_on_obstacles(const ObstacleContact& contact, double weight_per_area, const Supports& supports,
                       std::vector<Vector3>& positions) {
+  const Vector nothing;
+  const State start{0, nothing, nothing};
   const double reach = contact.law().smoothing(), rest = contact.law().gap_under(weight_per_area);
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto [gap, normal] = contact.closest(positions[i]);
+    const auto [gap, normal, body] = contact.closest(start, positions[i]);
     if (!(std::abs(gap) <= reach) || gap >= rest) continue;
     for (int k = 0; k < 3; ++k)
       if (!supports.position[i][static_cast<std::size_t>(k)]) positions[i][k] += (rest - gap) * normal[k];
@@ -264,6 +274,7 @@ double default_waviness(const Case& c) { return std::min(1e-5, 0.02 * c.fabric.t
 
 CaseModel build_model(const Case& c) {
   CaseModel model;
+  model.has_inertia = c.analysis == Analysis::dynamics;
   model.mesh = build_mesh(c.cloth);
   if (is_wavy_at_rest(c))
     model.mesh.reference = wavy(model.mesh, model.mesh.reference, c.cloth.waviness_amplitude, c.cloth.waviness_seed);
@@ -282,7 +293,11 @@ CaseModel build_model(const Case& c) {
   model.gauges = std::move(sheet.gauges);
   for (const auto& term : sheet.terms) {
     if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends.push_back(bends);
-    if (const auto* clamps = dynamic_cast<const ClampSprings*>(term.get())) model.clamps.push_back(clamps);
+    if (auto* clamps = dynamic_cast<ClampSprings*>(term.get())) {
+      for (std::size_t m = 0; m < motions.size(); ++m)
+        if (c.motions[m].rotation) clamps->turn_with(motions[m].points, motions[m].course);
+      model.clamps.push_back(clamps);
+    }
     if (const auto* directors = dynamic_cast<const DirectorLength*>(term.get())) model.directors = directors;
   }
   add_loads(c, model, threads, placed, sheet);
@@ -331,6 +346,10 @@ Reaction reaction(const CaseModel& model, const State& all, const std::vector<in
   const auto& unknowns = model.system->unknowns();
   Vector f = Vector::Zero(all.q.size());
   model.system->force(all, f);
+  if (model.has_inertia && model.system->has_motions()) {
+    const Vector acceleration = model.system->held_acceleration(all.time);
+    for (int p = 0; p < unknowns.points(); ++p) point(f, p) -= model.system->mass()[p] * point(acceleration, p);
+  }
   const auto held = [&](int p) {
     Vector3 force = Vector3::Zero();
     for (int k = 0; k < 3; ++k)

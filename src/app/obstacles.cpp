@@ -4,6 +4,7 @@
 #include "sundrape/force/obstacle_box.hpp"
 #include "sundrape/force/obstacle_capsule.hpp"
 #include "sundrape/force/obstacle_cylinder.hpp"
+#include "sundrape/force/obstacle_mesh.hpp"
 #include "sundrape/force/obstacle_pedestal.hpp"
 #include "sundrape/force/obstacle_plane.hpp"
 #include "sundrape/force/obstacle_sphere.hpp"
@@ -17,6 +18,7 @@ struct Shape {
   std::string kind;
   std::map<std::string, std::vector<double>> parameters;
   Matrix3 own_rotation = Matrix3::Identity();  // of a shape along z to the axis that the case gives
+  TriangleMesh surface = {};
 };
 
 std::vector<double> list(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -52,7 +54,30 @@ Shape shape(const DiscPedestalShape& s) {
           {{"radius", {s.radius}}, {"height", {s.height}}, {"edge_radius", {s.edge_radius}}}};
 }
 
+/// A body of a file, which a viewer gets as it is there.
+Shape shape(const MeshBodyShape& s) {
+  constexpr double voxels_across = 64;
+  try {
+    auto mesh = read_triangle_mesh(s.file, s.unit);
+    check_closed(mesh);
+    const double voxel = s.voxel.value_or(bounds(mesh).sizes().maxCoeff() / voxels_across);
+    Shape body{std::make_unique<MeshObstacle>(mesh, voxel), "mesh", {{"voxel", {voxel}}}};
+    body.surface = std::move(mesh);
+    return body;
+  } catch (const std::exception& problem) {
+    throw CaseError(s.source, problem.what());
+  }
+}
+
 }  // namespace
+
+PathCourse course_of(const PathCase& path) {
+  return {path.path,
+          {.start = path.start,
+           .duration = path.duration.value_or(0),
+           .profile = path.smooth ? PathTiming::Profile::smooth : PathTiming::Profile::linear,
+           .stages = path.stages}};
+}
 
 BuiltObstacle build_obstacle(const ObstacleCase& c) {
   try {
@@ -63,8 +88,14 @@ BuiltObstacle build_obstacle(const ObstacleCase& c) {
                           .kind = s.kind,
                           .parameters = s.parameters,
                           .position = stands.translation,
-                          .rotation = stands.rotation};
-    return {std::make_shared<PlacedObstacle>(std::move(s.obstacle), stands), std::move(record)};
+                          .rotation = stands.rotation,
+                          .friction = c.friction,
+                          .moves = c.motion.has_value(),
+                          .surface = std::move(s.surface)};
+    std::optional<PathCourse> course;
+    if (c.motion) course = course_of(*c.motion);
+    return {{std::make_shared<PlacedObstacle>(std::move(s.obstacle), stands), c.friction, std::move(course)},
+            std::move(record)};
   } catch (const std::invalid_argument& problem) {
     throw CaseError(c.source, problem.what());
   }

@@ -171,11 +171,16 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
   f.residual = residual ? *residual : relative_residual(*model_.system, all, model_.force_scale());
   f.negative_pivots = negative_pivots.value_or(-1);
   if (model_.contact) {
-    const Vector still = Vector::Zero(all.v.size());
     Vector contact_force = Vector::Zero(all.q.size());
-    model_.contact->add_force({all.time, all.q, still}, contact_force);
+    model_.contact->add_force(all, contact_force);
     f.contact_force = model_.of_nodes(contact_force);
-    f.penetration = model_.contact->report(all).deepest_penetration;
+    const auto report = model_.contact->report(all);
+    f.penetration = report.deepest_penetration;
+    for (std::size_t k = 0; k < model_.obstacles.size(); ++k) {
+      const auto& start = model_.obstacles[k];
+      const auto carried = model_.contact->carried(k, all);
+      f.obstacles.push_back({carried(start.position), carried.rotation * start.rotation, report.total_forces[k]});
+    }
   }
   if (model_.gauges) {
     const auto readings = model_.gauges->read(all.q);

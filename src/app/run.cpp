@@ -111,7 +111,7 @@ AnalysisEnd run_analysis(const Case& c, const CaseModel& model, Recorder& record
     case Analysis::dynamics:
       return run_dynamics(c, model, recorder, progress);
     case Analysis::relaxation:
-      return run_relaxation(c, model, recorder, progress);
+      return c.moves() ? run_quasi_static(c, model, recorder, progress) : run_relaxation(c, model, recorder, progress);
     case Analysis::arc_length:
       break;
   }

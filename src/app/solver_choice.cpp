@@ -18,6 +18,9 @@ std::unique_ptr<LinearSolver> conjugate_gradients(Model model, int max_iteration
   return std::make_unique<ConjugateGradients>(std::move(preconditioner), max_iterations);
 }
 
+// What is held must creep by its law, not by what Newton's iteration leaves (docs/friction.md).
+constexpr double accuracy_of_friction = 0.1, accuracy_of_friction_in_ida = 0.03;
+
 constexpr int iterations_worth_a_factorisation = 100;
 
 std::unique_ptr<LinearSolver> named(const std::string& name, Model model) {
@@ -40,6 +43,8 @@ IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   o.first_step = d.first_step;
   o.max_step = d.max_step;
   o.fixed_step = d.step.value_or(0);
+  if (model.contact != nullptr && model.contact->has_friction())
+    o.newton_accuracy = d.integrator == IntegratorKind::ida ? accuracy_of_friction_in_ida : accuracy_of_friction;
   return o;
 }
 

@@ -2,20 +2,12 @@
 
 #include <algorithm>
 
+#include "sundrape/force/smooth_step.hpp"
+
 namespace sundrape {
-namespace {
-
-/// 0 to 1 with two continuous derivatives.
-double smooth_rise(double x) {
-  if (x >= 1) return 1;
-  if (x <= 0) return 0;
-  return x * x * x * (10 + x * (6 * x - 15));
-}
-
-}  // namespace
 
 double LoadCourse::share(const State& state) const {
-  if (state.stage == 0) return last() * (rise > 0 ? smooth_rise(state.time / rise) : 1);
+  if (state.stage == 0) return last() * (rise > 0 ? smooth_step(state.time / rise) : 1);
   const auto at_end_of = [&](int stage) {
     return stage == 0 ? 0 : stages[std::min(static_cast<std::size_t>(stage), stages.size()) - 1];
   };

@@ -72,7 +72,7 @@ class Cvode final : public ImplicitIntegrator {
     require_success(CVodeSetLinearSolver(m, embedded_.get(), nullptr), "CVodeSetLinearSolver");
     require_success(CVodeSetNonlinearSolver(m, iteration_.get()), "CVodeSetNonlinearSolver");
     iteration_.use_rule();
-    require_success(CVodeSetNonlinConvCoef(m, newton_part), "CVodeSetNonlinConvCoef");
+    require_success(CVodeSetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "CVodeSetNonlinConvCoef");
     require_success(CVodeSetMaxNumSteps(m, -1), "CVodeSetMaxNumSteps");
     require_success(CVodeSetMaxConvFails(m, 20), "CVodeSetMaxConvFails");
     require_success(CVodeSetMaxErrTestFails(m, 20), "CVodeSetMaxErrTestFails");

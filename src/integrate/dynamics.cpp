@@ -25,7 +25,7 @@ void Dynamics::carry_over(const EnergyAudit::Balance& before, double initial_ene
 
 void Dynamics::expand_last() {
   integrator_.state(rows_q_, rows_v_);
-  system_.expand(rows_q_, rows_v_, q_, v_);
+  system_.expand(time_, rows_q_, rows_v_, q_, v_);
 }
 
 void Dynamics::emit_frames(std::size_t& next) {
@@ -36,7 +36,7 @@ void Dynamics::emit_frames(std::size_t& next) {
       frame_v_ = v_;
     } else {
       integrator_.interpolate(at, rows_q_, rows_v_);
-      system_.expand(rows_q_, rows_v_, frame_q_, frame_v_);
+      system_.expand(at, rows_q_, rows_v_, frame_q_, frame_v_);
     }
     const State frame{at, frame_q_, frame_v_};
     observer_.frame(frame, audit_->at(frame));
@@ -48,7 +48,7 @@ DynamicsEnd Dynamics::run(double time, ConstVectorRef q, ConstVectorRef v, bool 
   system_.unknowns().gather(q, rows_q_);
   system_.unknowns().gather(v, rows_v_);
   system_.unknowns().clear_held(rows_v_);
-  system_.expand(rows_q_, rows_v_, q_, v_);
+  system_.expand(time_, rows_q_, rows_v_, q_, v_);
   audit_ = std::make_unique<EnergyAudit>(system_, last());
   if (carried_) audit_->resume(carried_->first, carried_->second);
   integrator_.start(time, rows_q_, rows_v_);

@@ -7,6 +7,12 @@ EnergyAudit::EnergyAudit(const System& system, const State& all) : system_(syste
   initial_load_ = e.load;
   start_ = end_ = all.time;
   q_ = all.q;
+  held_kinetic_ = system.held_kinetic_energy(all);
+  power_in_now_ = power_in(all);
+}
+
+double EnergyAudit::power_in(const State& all) const {
+  return system_.external_power(all) + (system_.has_motions() ? system_.support_power(all) : 0.0);
 }
 
 void EnergyAudit::resume(const Balance& before, double initial_energy) {
@@ -27,7 +33,10 @@ void EnergyAudit::advance(const State& all, double impact_loss) {
     rate_ = (all.q - q_) / (end_ - start_);
     const State middle{0.5 * (start_ + end_), middle_, rate_};
     power_out_ = system_.dissipated_power(middle);
-    power_in_ = system_.external_power(middle);
+    const double now = power_in(all), held = system_.held_kinetic_energy(all);
+    power_in_ = 0.5 * (power_in_now_ + now) + (held - held_kinetic_) / (end_ - start_);
+    power_in_now_ = now;
+    held_kinetic_ = held;
   }
   q_ = all.q;
 }

@@ -12,7 +12,7 @@ FirstOrderForm::FirstOrderForm(const System& system) : system_(system) {
 bool FirstOrderForm::forces(double time, ConstVectorRef y, VectorRef f) {
   const auto n = system_.unknowns().size();
   ++evaluations_;
-  system_.expand(y.head(n), y.tail(n), q_, v_);
+  system_.expand(time, y.head(n), y.tail(n), q_, v_);
   system_.force({time, q_, v_}, f_);
   system_.unknowns().gather(f_, f);
   system_.unknowns().clear_held(f);
@@ -33,7 +33,7 @@ bool FirstOrderForm::rates(double time, ConstVectorRef y, VectorRef y_dot) {
 
 void FirstOrderForm::events(double time, ConstVectorRef y, const EventSource& source, std::span<double> values) {
   const auto n = system_.unknowns().size();
-  system_.expand(y.head(n), y.tail(n), q_, v_);
+  system_.expand(time, y.head(n), y.tail(n), q_, v_);
   source.evaluate({time, q_, v_}, values);
 }
 

@@ -73,7 +73,7 @@ class Ida final : public ImplicitIntegrator {
     require_success(IDASetLinearSolver(m, embedded_.get(), nullptr), "IDASetLinearSolver");
     require_success(IDASetNonlinearSolver(m, iteration_.get()), "IDASetNonlinearSolver");
     iteration_.use_rule();
-    require_success(IDASetNonlinConvCoef(m, newton_part), "IDASetNonlinConvCoef");
+    require_success(IDASetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "IDASetNonlinConvCoef");
     require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
     require_success(IDASetMaxConvFails(m, 20), "IDASetMaxConvFails");
     require_success(IDASetMaxErrTestFails(m, 20), "IDASetMaxErrTestFails");

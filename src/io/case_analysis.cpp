@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <functional>
+
 #include <fmt/format.h>
 
 #include "case_choices.hpp"
@@ -59,6 +62,9 @@ RelaxationCase resolve_relaxation(const CaseSection& section) {
   relaxation.relax_unstable = section.text("unstable_end") == "relax";
   relaxation.c_disp = section.maybe_number("c_disp");
   relaxation.c_acc = section.maybe_number("c_acc");
+  if (section.has("times")) relaxation.times = section.series("times");
+  if (std::ranges::adjacent_find(relaxation.times, std::greater_equal<>()) != relaxation.times.end())
+    section.fail("times", "do not ascend");
   relaxation.time_limit = section.maybe_number("time_limit");
   return relaxation;
 }

@@ -16,18 +16,18 @@ AnnulusShape resolve_annulus(const CaseSection& cloth) {
   return shape;
 }
 
+MeshShape resolve_mesh(const CaseSection& cloth, const std::filesystem::path& folder) {
+  return {file_beside(cloth, "file", folder), cloth.unit("units"), cloth.source("file")};
+}
+
+}  // namespace
+
 std::filesystem::path file_beside(const CaseSection& cloth, const char* key, const std::filesystem::path& folder) {
   auto file = std::filesystem::absolute(folder / cloth.text(key)).lexically_normal();
   if (!std::filesystem::is_regular_file(file))
     cloth.fail(key, fmt::format("'{}' is not there (sought beside the case file)", cloth.text(key)));
   return file;
 }
-
-MeshShape resolve_mesh(const CaseSection& cloth, const std::filesystem::path& folder) {
-  return {file_beside(cloth, "file", folder), cloth.unit("units"), cloth.source("file")};
-}
-
-}  // namespace
 
 Place resolve_place(const CaseSection& place) {
   Place resolved;

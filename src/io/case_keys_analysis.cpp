@@ -132,6 +132,15 @@ Section relaxation() {
                .doc = "Factor of successive steps."},
               linear_solver(),
               unstable_end(),
+              {.name = "times",
+               .type = KeyType::series,
+               .unit = "s",
+               .entries = 10000,
+               .range = not_negative(),
+               .default_note = "twenty from 0 to the end of the last path",
+               .doc =
+                   "Where supports or obstacles move: when to look for equilibrium, each from the one before. Each is "
+                   "a frame."},
               {.name = "c_disp",
                .unit = "m/N",
                .range = positive(),

@@ -41,54 +41,122 @@ Key stages(const std::string& what) {
                              what)};
 }
 
+/// When a gripper closes and opens.
+std::vector<Key> grip_keys() {
+  return {
+      {.name = "grip",
+       .unit = "s",
+       .range = not_negative(),
+       .default_note = "from the start",
+       .available = false,
+       .doc =
+           "Dynamics: the nodes are free until then, and held from where they are. Nodes chosen by a place are those "
+           "that are there at that time."},
+      {.name = "release",
+       .unit = "s",
+       .range = positive(),
+       .default_note = "never",
+       .available = false,
+       .doc = "Dynamics: let go."},
+  };
+}
+
 Section motion() {
   return {
       .name = "motion",
       .heading = "`[[motion]]`",
       .doc =
-          "Nodes that are held and carried along a path; with `analysis = \"arc-length\"` in this version. Several "
-          "motions of one node follow each other.",
+          "Nodes that are held and carried along a path: over time in dynamics, through equilibria at chosen times in "
+          "relaxation, in stages with `analysis = \"arc-length\"`. Several motions of one node follow each other.",
       .keys =
           {
               nodes(),
               {.name = "components",
                .type = KeyType::choices,
-               .choices = {"x", "y", "z"},
+               .choices = {"x", "y", "z", "rotation"},
                .default_value = R"(["x", "y", "z"])",
-               .doc = "What follows the path; the others are free, or held by a `[[fix]]`."},
+               .doc = "What follows the path; the others are free, or held by a `[[fix]]`. With `rotation` the gripped "
+                      "edge turns with the path, as in a jaw; without, it is a hinge."},
               {.name = "path", .type = KeyType::table, .holds = "motion.path", .required = true, .doc = "Where to."},
               stages("the path"),
               {.name = "name",
                .type = KeyType::name,
                .default_note = "from the selector",
                .doc = "Of its reaction in the result; no two alike."},
+              grip_keys()[0],
+              grip_keys()[1],
           },
+  };
+}
+
+/// Where a body is carried to, and when.
+std::vector<Key> path_keys() {
+  return {
+      {.name = "kind",
+       .type = KeyType::choice,
+       .choices = {"arc", "line", "keyframes"},
+       .required = true,
+       .doc = "A turn about an axis, a translation, or both through given places at given times."},
+      only_for({"arc"}, required(vector3("centre", "m", "A point of the axis."))),
+      {.name = "axis",
+       .type = KeyType::direction,
+       .required = true,
+       .kinds = {"arc"},
+       .doc = "Of any length; turns follow the right hand."},
+      {.name = "angle", .unit = "rad", .required = true, .kinds = {"arc"}, .doc = "Of the whole turn."},
+      only_for({"line"}, required(vector3("by", "m", "The whole translation."))),
+      only_for({"keyframes"},
+               with_default(vector3("pivot", "m", "A point of the axis, before the translation."), "[0, 0, 0]")),
+      {.name = "turn_axis",
+       .type = KeyType::direction,
+       .default_value = "[0, 0, 1]",
+       .kinds = {"keyframes"},
+       .doc = "Of the angles of the points."},
+      {.name = "points",
+       .type = KeyType::tables,
+       .holds = "motion.path.points",
+       .required = true,
+       .kinds = {"keyframes"},
+       .doc = "Where to be when, in the order of time; before them, at `start`, it is where it begins."},
+      {.name = "start", .unit = "s", .range = not_negative(), .default_value = "0", .doc = "When it sets out."},
+      {.name = "duration",
+       .unit = "s",
+       .range = positive(),
+       .default_note = "none; dynamics needs one",
+       .kinds = {"arc", "line"},
+       .doc = "How long it takes."},
+      {.name = "profile",
+       .type = KeyType::choice,
+       .choices = {"smooth", "linear"},
+       .default_value = R"("smooth")",
+       .doc = "`smooth` starts and stops with no jump in speed or acceleration, through keyframes on a cubic "
+              "spline; `linear` goes at constant speed, from keyframe to keyframe, and jerks at its ends."},
   };
 }
 
 Section motion_path() {
   return {
-      .name = "motion.path",
-      .heading = "`path = { ... }` of `[[motion]]`",
-      .kind_key = "kind",
-      .keys =
-          {
-              {.name = "kind",
-               .type = KeyType::choice,
-               .choices = {"arc", "line"},
-               .later = {"keyframes"},
-               .required = true,
-               .doc = "A turn about an axis, or a translation."},
-              only_for({"arc"}, required(vector3("centre", "m", "A point of the axis."))),
-              {.name = "axis",
-               .type = KeyType::direction,
-               .required = true,
-               .kinds = {"arc"},
-               .doc = "Of any length; turns follow the right hand."},
-              {.name = "angle", .unit = "rad", .required = true, .kinds = {"arc"}, .doc = "Of the whole turn."},
-              only_for({"line"}, required(vector3("by", "m", "The whole translation."))),
-          },
-  };
+      .name = "motion.path", .heading = "`path = { ... }` of `[[motion]]`", .kind_key = "kind", .keys = path_keys()};
+}
+
+Section obstacle_motion() {
+  auto keys = path_keys();
+  keys.push_back(stages("the path"));
+  return {.name = "obstacle.motion",
+          .heading = "`motion = { ... }` of `[[obstacle]]`",
+          .kind_key = "kind",
+          .doc = "From its place on, with the keys of a gripper's path.",
+          .keys = std::move(keys)};
+}
+
+Section motion_path_points() {
+  return {
+      .name = "motion.path.points",
+      .heading = "`points = [ { ... } ]` of `path`",
+      .keys = {
+          {.name = "time", .unit = "s", .range = positive(), .required = true, .doc = "From the start of the path on."},
+          with_default(vector3("by", "m", "Translation from where it begins."), "[0, 0, 0]"),
+          {.name = "angle", .unit = "rad", .default_value = "0", .doc = "Turned by, from where it begins."}}};
 }
 
 Section fix() {
@@ -111,6 +179,8 @@ Section fix() {
                .type = KeyType::name,
                .default_note = "from the selector",
                .doc = "Of its reaction in the result; no two alike."},
+              grip_keys()[0],
+              grip_keys()[1],
           },
   };
 }
@@ -190,8 +260,7 @@ Section obstacle() {
           {
               {.name = "kind",
                .type = KeyType::choice,
-               .choices = {"plane", "box", "cylinder", "sphere", "capsule", "disc"},
-               .later = {"mesh"},
+               .choices = {"plane", "box", "cylinder", "sphere", "capsule", "disc", "mesh"},
                .required = true,
                .doc = "What sort of body; a disc is a pedestal."},
               {.name = "name", .type = KeyType::name, .default_note = "kind and index", .doc = "No two alike."},
@@ -230,11 +299,28 @@ Section obstacle() {
                .default_value = "0",
                .kinds = {"box", "cylinder", "disc"},
                .doc = "Rounding of its edges."},
+              {.name = "file",
+               .type = KeyType::file,
+               .required = true,
+               .kinds = {"mesh"},
+               .doc = "A closed surface of triangles or polygons: OBJ, PLY or STL."},
+              {.name = "units",
+               .type = KeyType::unit,
+               .unit = "m",
+               .default_value = "\"m\"",
+               .kinds = {"mesh"},
+               .doc = "Unit of the file's coordinates."},
+              {.name = "voxel",
+               .unit = "m",
+               .range = positive(),
+               .default_note = "a 64th of its largest size",
+               .kinds = {"mesh"},
+               .doc = "Grid of the smooth distance that stands for the surface: edges come out rounded over it."},
               {.name = "friction",
                .range = not_negative(),
                .default_value = "0",
-               .doc = "Coefficient of friction; only 0 in this version."},
-              {.name = "motion", .type = KeyType::table, .available = false, .doc = "Its prescribed path."},
+               .doc = "Coefficient of Coulomb's friction; it acts in dynamics only."},
+              {.name = "motion", .type = KeyType::table, .holds = "obstacle.motion", .doc = "Its prescribed path."},
           },
   };
 }
@@ -280,6 +366,12 @@ Section contact() {
                .range = from_to(0, 1),
                .default_note = "no impact law",
                .doc = "Speed after an impact over the speed before."},
+              {.name = "friction_speed",
+               .unit = "m/s",
+               .range = positive(),
+               .default_value = "\"0.1 mm/s\"",
+               .doc = "Cloth that friction holds creeps, at most so fast; above it friction has its full size. Ten "
+                      "times more is cheaper where nothing has to rest."},
               {.name = "restitution_speed",
                .unit = "m/s",
                .range = positive(),
@@ -292,8 +384,9 @@ Section contact() {
 }  // namespace
 
 std::vector<Section> scene_keys() {
-  return {fix(),  motion(),   motion_path(), selector(), selector_plane(), selector_sphere(),
-          load(), obstacle(), contact()};
+  return {fix(),      motion(),          motion_path(),     motion_path_points(),
+          selector(), selector_plane(),  selector_sphere(), load(),
+          obstacle(), obstacle_motion(), contact()};
 }
 
 }  // namespace sundrape

@@ -16,7 +16,7 @@ double resolve_edge_radius(const CaseSection& obstacle, double smallest) {
   return radius;
 }
 
-ObstacleCase resolve_obstacle(const CaseSection& section) {
+ObstacleCase resolve_obstacle(const CaseSection& section, Analysis analysis, const std::filesystem::path& folder) {
   ObstacleCase obstacle;
   obstacle.source = section.source();
   obstacle.place = resolve_place(section.table("place"));
@@ -35,23 +35,30 @@ ObstacleCase resolve_obstacle(const CaseSection& section) {
     obstacle.shape = SphereShape{section.number("radius")};
   } else if (kind == "capsule") {
     obstacle.shape = CapsuleShape{section.number("radius"), section.number("length"), section.direction("axis")};
+  } else if (kind == "mesh") {
+    obstacle.shape = MeshBodyShape{file_beside(section, "file", folder), section.unit("units"),
+                                   section.maybe_number("voxel"), section.source("file")};
   } else {
     const double radius = section.number("radius");
     const double height = section.number("height");
     obstacle.shape = DiscPedestalShape{radius, height, resolve_edge_radius(section, std::min(2 * radius, height))};
   }
-  if (section.number("friction") != 0)
-    section.fail("friction",
-                 fmt::format("{} is not available in this version; accepted: 0", section.number("friction")));
+  obstacle.friction = section.number("friction");
+  if (section.has("motion")) {
+    const auto motion = section.table("motion");
+    obstacle.motion = resolve_course(motion, analysis);
+    obstacle.motion->stages = motion.series("stages");
+  }
   return obstacle;
 }
 
 }  // namespace
 
-std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections) {
+std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections, Analysis analysis,
+                                            const std::filesystem::path& folder) {
   std::vector<ObstacleCase> obstacles;
   for (const auto& section : sections) {
-    ObstacleCase obstacle = resolve_obstacle(section);
+    ObstacleCase obstacle = resolve_obstacle(section, analysis, folder);
     obstacle.name =
         section.has("name") ? section.text("name") : fmt::format("{}{}", section.text("kind"), obstacles.size());
     for (const auto& earlier : obstacles)
@@ -70,6 +77,7 @@ ContactCase resolve_contact(const CaseSection& section, double thickness) {
   contact.smoothing = section.maybe_number("smoothing").value_or(0.1 * contact.thickness);
   contact.penetration = section.maybe_number("penetration").value_or(0.1 * contact.thickness);
   contact.restitution = section.maybe_number("restitution");
+  contact.friction_speed = section.number("friction_speed");
   contact.restitution_speed = section.number("restitution_speed");
   contact.subdivision = section.integer("subdivision");
   if (contact.restitution) {

@@ -10,22 +10,32 @@ namespace sundrape {
 [[nodiscard]] Fabric resolve_fabric(const CaseSection& material);
 void resolve_bending(const CaseSection& bending, Fabric& fabric);
 [[nodiscard]] ShellCase resolve_shell(const CaseSection& section);
-[[nodiscard]] std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Model model);
+[[nodiscard]] std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Model model,
+                                                 Analysis analysis);
+/// A path with its timing, of a gripper or an obstacle; its stages are left to the caller.
+[[nodiscard]] PathCase resolve_course(const CaseSection& section, Analysis analysis);
 /// Names of motions are told from those of supports too.
 [[nodiscard]] std::vector<MotionCase> resolve_motions(const std::vector<CaseSection>& sections,
-                                                      const std::vector<FixCase>& fixes);
+                                                      const std::vector<FixCase>& fixes, Analysis analysis);
 /// What a selector is called where the case gives no name.
 [[nodiscard]] std::string name_of(const Selector& selector);
 [[nodiscard]] std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections);
-[[nodiscard]] std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections);
+/// Relative files count from `folder`.
+[[nodiscard]] std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sections, Analysis analysis,
+                                                          const std::filesystem::path& folder);
+/// The absolute path that a key names; it must be there.
+[[nodiscard]] std::filesystem::path file_beside(const CaseSection& section, const char* key,
+                                                const std::filesystem::path& folder);
 [[nodiscard]] ContactCase resolve_contact(const CaseSection& section, double thickness);
 [[nodiscard]] DynamicsCase resolve_dynamics(const CaseSection& section);
 [[nodiscard]] RelaxationCase resolve_relaxation(const CaseSection& section);
 [[nodiscard]] ArcLengthCase resolve_arc_length(const CaseSection& section);
 [[nodiscard]] OutputCase resolve_output(const CaseSection& section, double duration);
 
-/// Refuses prescribed motion where the analysis cannot follow it yet.
-void require_arc_length_for_motions(const CaseSection& top, const Case& resolved);
+/// Grips and releases in time, which dynamics alone follows.
+[[nodiscard]] GripCase resolve_grip(const CaseSection& section, Analysis analysis);
+/// What is left out where supports or obstacles move, and what cannot be with them.
+void resolve_moving_defaults(const CaseSection& top, Case& resolved);
 /// Refuses what only a shell has where the model is another.
 void require_shell_model(const CaseSection& top, const Case& resolved);
 /// Refuses massless directors where the integrator needs an ODE.

@@ -46,13 +46,13 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   const CaseSection material = top.table("material");
   if (material.has("title")) resolved.fabric_title = material.text("title");
   resolved.fabric = resolve_fabric(material);
+  resolved.breaking_strain = material.maybe_number("breaking_strain");
   resolved.shell = resolve_shell(top.table("shell"));
   require_shell_model(top, resolved);
-  resolved.fixes = resolve_fixes(top.tables("fix"), resolved.model);
-  resolved.motions = resolve_motions(top.tables("motion"), resolved.fixes);
-  require_arc_length_for_motions(top, resolved);
+  resolved.fixes = resolve_fixes(top.tables("fix"), resolved.model, resolved.analysis);
+  resolved.motions = resolve_motions(top.tables("motion"), resolved.fixes, resolved.analysis);
   resolved.loads = resolve_loads(top.tables("load"));
-  resolved.obstacles = resolve_obstacles(top.tables("obstacle"));
+  resolved.obstacles = resolve_obstacles(top.tables("obstacle"), resolved.analysis, file.parent_path());
   resolved.contact = resolve_contact(top.table("contact"), resolved.fabric.thickness);
   const CaseSection dynamics = top.table("dynamics");
   resolved.dynamics = resolve_dynamics(dynamics);
@@ -61,6 +61,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.relaxation = resolve_relaxation(top.table("relaxation"));
   require_scheme_of_shell(top, resolved);
   resolved.arc_length = resolve_arc_length(top.table("arc-length"));
+  resolve_moving_defaults(top, resolved);
   if (resolved.analysis == Analysis::dynamics && !dynamics.has("duration")) {
     const SourceLine where = top.has("dynamics") ? dynamics.source() : top.source("analysis");
     throw CaseError(where.file, where.line, "dynamics.duration", "missing: how long the motion lasts");
@@ -69,6 +70,9 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
       resolve_output(top.table("output"), resolved.analysis == Analysis::dynamics ? resolved.dynamics.duration : 0);
   if (const auto* mesh = std::get_if<MeshShape>(&resolved.cloth.shape))
     resolved.inputs = "mesh " + fingerprint(mesh->file);
+  for (const auto& obstacle : resolved.obstacles)
+    if (const auto* mesh = std::get_if<MeshBodyShape>(&obstacle.shape))
+      resolved.inputs += " " + obstacle.name + " " + fingerprint(mesh->file);
   if (resolved.cloth.start) resolved.inputs += " start " + fingerprint(resolved.cloth.start->file);
   return resolved;
 }

@@ -36,10 +36,11 @@ bool same(const Selector& a, const Selector& b) {
 }
 
 bool same_components(const FixCase& a, const FixCase& b) {
-  return a.components == b.components && a.director == b.director && a.rotation == b.rotation;
+  return a.components == b.components && a.director == b.director && a.rotation == b.rotation &&
+         a.grip.from == b.grip.from && a.grip.until == b.grip.until;
 }
 
-FixCase resolve_fix(const CaseSection& section, Model model) {
+FixCase resolve_fix(const CaseSection& section, Model model, Analysis analysis) {
   FixCase fix;
   fix.nodes = section.selector("nodes");
   fix.source = section.source("nodes");
@@ -56,6 +57,7 @@ FixCase resolve_fix(const CaseSection& section, Model model) {
     fix.director[i] = fix.rotation || holds(director[i]);
   }
   if (section.has("name")) fix.name = section.text("name");
+  fix.grip = resolve_grip(section, analysis);
   return fix;
 }
 
@@ -65,10 +67,10 @@ std::string place_of(const SourceLine& source) {
 
 }  // namespace
 
-std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Model model) {
+std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Model model, Analysis analysis) {
   std::vector<FixCase> fixes;
   for (const auto& section : sections) {
-    FixCase fix = resolve_fix(section, model);
+    FixCase fix = resolve_fix(section, model, analysis);
     for (const auto& earlier : fixes) {
       if (!fix.name.empty() && fix.name == earlier.name)
         section.fail("name",

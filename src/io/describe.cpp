@@ -81,13 +81,17 @@ void describe_net(CaseDescription& out, const Fabric::Net& net) {
   out.number("diagonal_compression_factor", net.diagonal_compression_factor);
 }
 
-void describe_fabric(CaseDescription& out, const std::string& title, const Fabric& fabric, Model model) {
+void describe_fabric(CaseDescription& out, const Case& resolved) {
+  const auto& fabric = resolved.fabric;
+  const auto& title = resolved.fabric_title;
+  const auto model = resolved.model;
   out.heading("the fabric");
   out.enter("material", "material");
   if (!title.empty()) out.text("title", title);
   out.number("thickness", fabric.thickness);
   out.number("density_area", fabric.area_density);
   out.number("poisson", fabric.poisson);
+  out.maybe_number("breaking_strain", resolved.breaking_strain);
   if (fabric.measured_bending) describe_bending(out, *fabric.measured_bending);
   out.enter("material.damping", "material.damping");
   out.number("mass", fabric.damping.mass);
@@ -158,7 +162,15 @@ void describe_obstacle(CaseDescription& out, const ObstacleCase& obstacle, std::
     out.number("height", disc->height);
     out.number("edge_radius", disc->edge_radius);
   }
+  if (const auto* mesh = std::get_if<MeshBodyShape>(&obstacle.shape)) {
+    enter("mesh");
+    out.text("file", mesh->file.string());
+    out.verbatim("units", fmt::format("{:.10g} m", mesh->unit));
+    out.maybe_number("voxel", mesh->voxel);
+  }
+  out.number("friction", obstacle.friction);
   describe_place(out, path, obstacle.place);
+  if (obstacle.motion) describe_course(out, "obstacle.motion", path + ".motion", *obstacle.motion);
 }
 
 void describe_contact(CaseDescription& out, const ContactCase& contact) {
@@ -168,6 +180,7 @@ void describe_contact(CaseDescription& out, const ContactCase& contact) {
   out.maybe_number("stiffness", contact.stiffness);
   out.number("smoothing", contact.smoothing);
   out.number("penetration", contact.penetration);
+  out.number("friction_speed", contact.friction_speed);
   out.maybe_number("restitution", contact.restitution);
   if (contact.restitution) out.number("restitution_speed", contact.restitution_speed);
 }
@@ -181,7 +194,7 @@ std::string describe(const Case& resolved) {
   out.text("model", choices::model.name(resolved.model));
   out.text("analysis", to_string(resolved.analysis));
   describe_cloth(out, resolved.cloth);
-  describe_fabric(out, resolved.fabric_title, resolved.fabric, resolved.model);
+  describe_fabric(out, resolved);
   if (resolved.model == Model::shell) describe_shell(out, resolved.shell);
   if (!resolved.fixes.empty()) out.heading("supports");
   for (std::size_t i = 0; i < resolved.fixes.size(); ++i) describe_fix(out, resolved.fixes[i], i);

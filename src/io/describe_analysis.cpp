@@ -31,6 +31,7 @@ void describe_relaxation(CaseDescription& out, const RelaxationCase& relaxation)
   out.number("growth", relaxation.growth);
   out.text("linear_solver", relaxation.linear_solver);
   out.text("unstable_end", relaxation.relax_unstable ? "relax" : "keep");
+  if (!relaxation.times.empty()) out.numbers("times", relaxation.times);
   if (relaxation.scheme == "chapter") {
     out.maybe_number("c_disp", relaxation.c_disp);
     out.maybe_number("c_acc", relaxation.c_acc);

@@ -34,6 +34,27 @@ void describe_stages(CaseDescription& out, const std::vector<double>& stages) {
   if (stages != std::vector<double>{1}) out.numbers("stages", stages);
 }
 
+void describe_grip(CaseDescription& out, const GripCase& grip) {
+  out.maybe_number("grip", grip.from);
+  out.maybe_number("release", grip.until);
+}
+
+void describe_keyframes(CaseDescription& out, const std::string& section, const std::string& path,
+                        const KeyframePath& keyframes) {
+  const auto& frames = keyframes.keyframes;
+  for (std::size_t k = 1; k < frames.times().size(); ++k) {
+    const Vector at = frames.values().col(static_cast<Eigen::Index>(k));
+    out.enter("motion.path.points", fmt::format("{}.points.{}", path, k - 1));
+    out.number("time", frames.times()[k]);
+    out.vector3("by", at.head<3>());
+    out.number("angle", at[3]);
+  }
+  out.enter(section, path, "keyframes");
+  out.text("kind", "keyframes");
+  out.vector3("pivot", keyframes.centre);
+  out.vector3("turn_axis", keyframes.axis);
+}
+
 }  // namespace
 
 void describe_fix(CaseDescription& out, const FixCase& fix, std::size_t index) {
@@ -46,26 +67,42 @@ void describe_fix(CaseDescription& out, const FixCase& fix, std::size_t index) {
   else
     for (auto& name : axis_names(fix.director, "director-")) held.push_back(std::move(name));
   out.verbatim("components", fmt::format("[{}]", fmt::join(held, ", ")));
+  describe_grip(out, fix.grip);
 }
 
 void describe_motion(CaseDescription& out, const MotionCase& motion, std::size_t index) {
   out.enter("motion", fmt::format("motion.{}", index));
   out.text("name", motion.name);
   out.verbatim("nodes", std::visit(SelectorText{}, motion.nodes));
-  out.verbatim("components", fmt::format("[{}]", fmt::join(axis_names(motion.components), ", ")));
-  describe_stages(out, motion.stages);
-  const auto path = fmt::format("motion.{}.path", index);
-  if (const auto* arc = std::get_if<ArcPath>(&motion.path)) {
-    out.enter("motion.path", path, "arc");
+  auto carried = axis_names(motion.components);
+  if (motion.rotation) carried.emplace_back("\"rotation\"");
+  out.verbatim("components", fmt::format("[{}]", fmt::join(carried, ", ")));
+  describe_stages(out, motion.course.stages);
+  describe_grip(out, motion.grip);
+  describe_course(out, "motion.path", fmt::format("motion.{}.path", index), motion.course);
+}
+
+void describe_course(CaseDescription& out, const std::string& section, const std::string& path,
+                     const PathCase& course) {
+  if (const auto* arc = std::get_if<ArcPath>(&course.path)) {
+    out.enter(section, path, "arc");
     out.text("kind", "arc");
     out.vector3("centre", arc->centre);
     out.vector3("axis", arc->axis);
     out.number("angle", arc->angle);
-  } else {
-    out.enter("motion.path", path, "line");
+  } else if (const auto* line = std::get_if<LinePath>(&course.path)) {
+    out.enter(section, path, "line");
     out.text("kind", "line");
-    out.vector3("by", std::get<LinePath>(motion.path).by);
+    out.vector3("by", line->by);
+  } else {
+    describe_keyframes(out, section, path, std::get<KeyframePath>(course.path));
   }
+  out.number("start", course.start);
+  const auto* keyframes = std::get_if<KeyframePath>(&course.path);
+  if (course.duration && keyframes == nullptr) out.number("duration", *course.duration);
+  const bool smooth = keyframes ? keyframes->keyframes.between() == Keyframes::Between::smooth : course.smooth;
+  out.text("profile", smooth ? "smooth" : "linear");
+  if (section == "obstacle.motion") describe_stages(out, course.stages);
 }
 
 void describe_load(CaseDescription& out, const LoadCase& load, std::size_t index) {

@@ -21,6 +21,8 @@ const std::vector<Meaning>& table() {
       {"/mesh/material", "m", "warp and weft coordinate of each node"},
       {"/mesh/quads", "1", "the four nodes of each quadrilateral, counter-clockwise"},
       {"/mesh/sets/*", "1", "nodes of a named set"},
+      {"/obstacles/*/vertices", "m", "vertices of an obstacle's surface, from its place"},
+      {"/obstacles/*/triangles", "1", "the three vertices of each triangle of an obstacle's surface"},
       {"/frames/time", "s", "time of each frame; of a relaxation, its pseudo-time"},
       {"/frames/load_factor", "1", "load factor of each frame, in its stage"},
       {"/frames/stage", "1", "stage of loads and motions that each frame is in, from 1 on"},
@@ -51,6 +53,9 @@ const std::vector<Meaning>& table() {
       {"/frames/reaction/*", "N", "force that the cloth exerts on a fixed or moved set"},
       {"/frames/reaction_moment/*", "N m",
        "moment that the cloth exerts on a fixed or moved set, about the mean position of its nodes"},
+      {"/frames/obstacle_force/*", "N", "force of an obstacle on the cloth, friction included"},
+      {"/frames/obstacle_position/*", "m", "position of an obstacle that moves"},
+      {"/frames/obstacle_rotation/*", "1", "rotation matrix of an obstacle that moves, from its shape to the world"},
       {"/probes/*/time", "s", "time of every accepted step"},
       {"/probes/*/load_factor", "1", "load factor of every accepted step of an equilibrium path"},
       {"/probes/*/position", "m", "position of the probed node"},
@@ -144,6 +149,13 @@ Series frame_series(const ResultHeader& header) {
     columns.push_back(column("/frames/reaction/" + layout::link_name(set), {3}));
   for (const auto& set : header.reaction_sets)
     columns.push_back(column("/frames/reaction_moment/" + layout::link_name(set), {3}));
+  for (const auto& obstacle : header.obstacles) {
+    const auto name = layout::link_name(obstacle.name);
+    columns.push_back(column("/frames/obstacle_force/" + name, {3}));
+    if (!obstacle.moves) continue;
+    columns.push_back(column("/frames/obstacle_position/" + name, {3}));
+    columns.push_back(column("/frames/obstacle_rotation/" + name, {3, 3}));
+  }
   return frames;
 }
 

@@ -46,6 +46,14 @@ void write_obstacles(hdf5::File& file, const std::vector<ObstacleRecord>& obstac
     file.set_attribute(group, "kind", obstacle.kind);
     file.set_attribute(group, "parameters", nlohmann::json(obstacle.parameters).dump());
     file.set_attribute(group, "position", std::vector<double>(obstacle.position.begin(), obstacle.position.end()));
+    file.set_attribute(group, "friction", obstacle.friction);
+    file.set_attribute(group, "moves", std::int64_t{obstacle.moves ? 1 : 0});
+    if (const auto& [vertices, triangles] = obstacle.surface; !vertices.empty()) {
+      write_table<double>(file, group + "/vertices", hdf5::Element::real64, {vertices.size(), 3},
+                          {vertices.front().data(), 3 * vertices.size()});
+      write_table<int>(file, group + "/triangles", hdf5::Element::int32, {triangles.size(), 3},
+                       {triangles.front().data(), 3 * triangles.size()});
+    }
     const Matrix3 rows = obstacle.rotation.transpose();  // Eigen stores columns, readers expect rows
     file.set_attribute(group, "rotation", std::vector<double>(rows.data(), rows.data() + 9));
   }

@@ -153,6 +153,10 @@ void ResultWriter::append_frame(const Frame& frame) {
       throw std::invalid_argument(
           fmt::format("a frame has {} reactions, the result has {} sets", sets->size(), header.reaction_sets.size()));
 
+  if (!frame.obstacles.empty() && frame.obstacles.size() != header.obstacles.size())
+    throw std::invalid_argument(
+        fmt::format("a frame has {} obstacles, the result has {}", frame.obstacles.size(), header.obstacles.size()));
+
   auto& file = implementation_->file();
   std::size_t column = 0;  // in the order of layout::series
   const auto add = [&](std::span<const double> values) { file.append(SeriesIndex::frames, column++, values); };
@@ -174,6 +178,15 @@ void ResultWriter::append_frame(const Frame& frame) {
   add(std::span(contact_sum.data(), 3));
   for (const auto& reaction : frame.reactions) add(std::span(reaction.data(), 3));
   for (const auto& moment : frame.moments) add(std::span(moment.data(), 3));
+  for (std::size_t k = 0; k < header.obstacles.size(); ++k) {
+    const auto& record = header.obstacles[k];
+    const auto pose = frame.obstacles.empty() ? ObstaclePose{record.position, record.rotation} : frame.obstacles[k];
+    add(std::span(pose.force.data(), 3));
+    if (!record.moves) continue;
+    const Matrix3 rows = pose.rotation.transpose();  // Eigen stores columns, readers expect rows
+    add(std::span(pose.position.data(), 3));
+    add(std::span(rows.data(), 9));
+  }
   file.commit();
 }
 

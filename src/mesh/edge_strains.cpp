@@ -21,4 +21,13 @@ std::pair<double, double> EdgeStrains::range(ConstVectorRef q) const {
   return {smallest, largest};
 }
 
+EdgeStrains::Stretched EdgeStrains::most_stretched(ConstVectorRef q) const {
+  Stretched most;
+  for (const auto& e : edges_) {
+    const double strain = (point(q, e.j) - point(q, e.i)).norm() / e.rest - 1;
+    if (strain > most.strain) most = {e.i, e.j, strain};
+  }
+  return most;
+}
+
 }  // namespace sundrape

@@ -33,7 +33,7 @@ FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, C
     if (c != c_ || time != time_) first_norm_ = 0;
     c_ = c;
     time_ = time;
-    system_.expand(q, v, q_, v_);
+    system_.expand(time, q, v, q_, v_);
     force_known_ = false;
     matrix_.set_zero();
     matrix_.add_diagonal(system_.row_mass(), c * c);

@@ -11,7 +11,7 @@ System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unkno
       terms_(std::move(terms)),
       unknowns_(std::move(unknowns)),
       rest_(std::move(rest)),
-      motions_(std::move(motions)) {
+      motions_(std::move(motions), unknowns_.points()) {
   if (mass_.size() != unknowns_.points() || rest_.size() != 3 * mass_.size())
     throw std::invalid_argument("masses, supports and coordinates differ in their number of points");
   if (!(mass_.minCoeff() >= 0)) throw std::invalid_argument("a point has a negative mass [kg]");
@@ -25,26 +25,12 @@ System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unkno
   tables_ = std::move(built.tables);
 }
 
-void System::expand(ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const {
+void System::expand(double time, ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const {
   q = rest_;
   v.setZero();
   unknowns_.scatter(rows_q, q);
   unknowns_.scatter(rows_v, v);
-}
-
-void System::carry(double load_factor, int stage, VectorRef q) const {
-  const Vector nothing;
-  for (std::size_t m = 0; m < motions_.size(); ++m)
-    for (const int p : motions_[m].points) {
-      Vector3 x = point(rest_, p);
-      for (std::size_t k = 0; k <= m; ++k) {  // a point may have been carried along other paths before
-        const auto& motion = motions_[k];
-        if (k < m && std::ranges::find(motion.points, p) == motion.points.end()) continue;
-        x = carried_along(motion.path, motion.course.share({load_factor, nothing, nothing, stage}), x);
-      }
-      for (int c = 0; c < 3; ++c)
-        if (motions_[m].components[static_cast<std::size_t>(c)]) q[3 * p + c] = x[c];
-    }
+  if (!motions_.empty()) motions_.place(time, rest_, q, v);
 }
 
 bool System::has_symmetric_tangent() const {
@@ -85,6 +71,24 @@ double System::kinetic_energy(const State& all) const {
   double kinetic = 0;
   for (int i = 0; i < mass_.size(); ++i) kinetic += 0.5 * mass_[i] * point(all.v, i).squaredNorm();
   return kinetic;
+}
+
+double System::held_kinetic_energy(const State& all) const {
+  double kinetic = 0;
+  for (int i = 0; i < mass_.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (unknowns_.is_held(i, k)) kinetic += 0.5 * mass_[i] * all.v[3 * i + k] * all.v[3 * i + k];
+  return kinetic;
+}
+
+double System::support_power(const State& all) const {
+  Vector f(all.q.size());
+  force(all, f);
+  double power = 0;
+  for (int i = 0; i < mass_.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (unknowns_.is_held(i, k)) power -= f[3 * i + k] * all.v[3 * i + k];
+  return power;
 }
 
 double System::dissipated_power(const State& all) const {

@@ -87,12 +87,6 @@ class ArcLength(CommandLineTest):
         with h5py.File(self.folder / "loose.h5") as result:
             self.assertEqual(result.attrs["status"].decode(), "failed")
 
-    def test_motion_in_time_is_not_there_yet(self):
-        moved = self.write("moved.toml", STRIP.replace('"arc-length"\n[cloth]', '"dynamics"\n[[motion]]\nnodes = "right"\npath = { kind = "line", by = [0, 0, 0.01] }\n[dynamics]\nduration = 1\n[cloth]'))
-        done = self.sundrape("run", moved, "-o", "moved.h5")
-        self.assertEqual(done.returncode, 2)
-        self.assertIn('needs analysis = "arc-length"', done.stderr)
-
 
 if __name__ == "__main__":
     unittest.main()

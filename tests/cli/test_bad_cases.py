@@ -38,7 +38,7 @@ SLIPS = {
                                            "load.1.nodes", "edge"),
     "wind": ('kind = "gravity"\nacceleration = [0, 0, -9.80665]', 'kind = "wind"', "load.0.kind", "not available"),
     "negative radius": ('kind = "plane"', 'kind = "sphere"\nradius = "-1 cm"', "obstacle.0.radius", "outside (0, inf)"),
-    "obstacle mesh": ('kind = "plane"', 'kind = "mesh"\nfile = "sheet.obj"', "obstacle.0.kind", "not available"),
+    "obstacle mesh": ('kind = "plane"', 'kind = "mesh"\nfile = "sheet.obj"', "obstacle.0.file", "vertex index"),
     "normal without a length": ('kind = "plane"', 'kind = "plane"\nnormal = [0, 0, 0]', "obstacle.0.normal", "length"),
     "rounding wider than the box": ('kind = "plane"', 'kind = "box"\nsize = [1, 1, 1]\nedge_radius = 0.6', "obstacle.0.edge_radius", "outside [0, 0.5]"),
     "probes of one name": ('probes = [', 'probes = [ { name = "corner", near = [0, 0, 0] },', "output.probes.1.name", "two probes"),

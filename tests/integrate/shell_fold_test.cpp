@@ -96,7 +96,7 @@ End swing(const FoldedStrip& strip, Make make, double duration) {
   for (double time = 0; time < duration;) {
     time = integrator->step(duration).time;
     integrator->state(rows_q, rows_v);
-    strip.system->expand(rows_q, rows_v, end.q, v);
+    strip.system->expand(time, rows_q, rows_v, end.q, v);
     end.length_error = std::max(end.length_error, strip.directors->largest_error(end.q));
     end.way = std::max(end.way, (end.q - strip.q).cwiseAbs().maxCoeff());
   }

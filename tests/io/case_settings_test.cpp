@@ -63,8 +63,8 @@ TEST(Settings, AreNamedWhenTheyAreWrong) {
   EXPECT_EQ(complaint("material.poisson=0.7"), "--set material.poisson=0.7: material.poisson: 0.7 is outside [0, 0.5)");
   EXPECT_EQ(complaint("material.thickness=0.6 kg"),
             "--set material.thickness=0.6 kg: material.thickness: '0.6 kg' is a mass, a length is expected");
-  EXPECT_EQ(complaint("obstacle.0.friction=0.2"),
-            "--set obstacle.0.friction=0.2: obstacle.0.friction: 0.2 is not available in this version; accepted: 0");
+  EXPECT_EQ(complaint("obstacle.0.friction=-0.2"),
+            "--set obstacle.0.friction=-0.2: obstacle.0.friction: -0.2 is outside [0, inf)");
   EXPECT_EQ(complaint("materials.poisson=0.3"),
             "--set materials.poisson=0.3: materials: unknown key, did you mean 'material'?");
   EXPECT_EQ(complaint("material.bending.law=linear"),

@@ -17,6 +17,10 @@ struct AnalysisEnd {
 /// Static equilibrium by damped motion, or by the chapter's own scheme.
 [[nodiscard]] AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress);
 
+/// Equilibria at chosen times of supports and obstacles that move, each relaxed from the one before.
+[[nodiscard]] AnalysisEnd run_quasi_static(const Case& c, const CaseModel& model, Recorder& recorder,
+                                           Progress& progress);
+
 /// A path of equilibria by arc-length or load steps, stage by stage.
 [[nodiscard]] AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& recorder, Progress& progress);
 

@@ -38,10 +38,11 @@ struct CaseModel {
   std::vector<ReactionSet> reactions;
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
-  double size = 0;         // longest side of the rest shape's bounding box [m]
-  double gravity = 0;      // |acceleration| [m/s²]; 9.80665 where there is no gravity
-  double weight = 0;       // mass times |gravity load| [N]
-  double area_weight = 0;  // of the fabric under `gravity` [N/m²]
+  bool has_inertia = false;  // dynamics: what supports carry has to be accelerated
+  double size = 0;           // longest side of the rest shape's bounding box [m]
+  double gravity = 0;        // |acceleration| [m/s²]; 9.80665 where there is no gravity
+  double weight = 0;         // mass times |gravity load| [N]
+  double area_weight = 0;    // of the fabric under `gravity` [N/m²]
 
   /// What forces are compared with where nothing loads the cloth [N].
   [[nodiscard]] double force_scale() const { return area_weight * size * size; }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sundrape/force/force_term.hpp"
+#include "sundrape/force/path_course.hpp"
 #include "sundrape/material/moment_curvature.hpp"
 
 namespace sundrape {
@@ -29,10 +30,14 @@ class ClampSprings final : public ForceTerm {
   explicit ClampSprings(std::vector<ClampSpring> springs, double relaxation_time = 0,
                         std::optional<MomentCurvature> law = std::nullopt);
 
+  /// The clamps of these nodes turn with a body that is carried along a path; several of one node follow each other.
+  void turn_with(const std::vector<int>& nodes, const PathCourse& course);
+
   [[nodiscard]] std::string_view name() const override { return "clamped edges"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }
   [[nodiscard]] double energy(const State& state) const override;
   [[nodiscard]] double dissipated_power(const State& state) const override;
+  [[nodiscard]] double external_power(const State& state) const override;
   void add_force(const State& state, VectorRef f) const override;
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
   void declare_pattern(Pattern& pattern) const override;
@@ -42,10 +47,23 @@ class ClampSprings final : public ForceTerm {
   [[nodiscard]] Vector3 couple(const State& state, const std::vector<bool>& nodes) const;
 
  private:
+  /// A spring as its clamp stands now, with the edge and its rate as seen from the clamp.
+  struct Held {
+    Vector3 direction, axis, edge, rate, spin;
+  };
+  /// How the bodies that clamps turn with stand at a state, one a course.
+  struct Turns {
+    std::vector<Matrix3> rotation;
+    std::vector<Vector3> spin;  // [1/s]
+  };
+  [[nodiscard]] Turns turns(const State& state) const;
+  [[nodiscard]] Held held(std::size_t spring, const Turns& turns, const State& state) const;
   /// What draws the end of a spring's edge back, −force on `next` [N].
-  [[nodiscard]] Vector3 pull(const ClampSpring& spring, const State& state) const;
+  [[nodiscard]] Vector3 pull(const ClampSpring& spring, const Held& held) const;
 
   std::vector<ClampSpring> springs_;
+  std::vector<PathCourse> courses_;
+  std::vector<std::vector<std::size_t>> turned_by_;  // courses of each spring's clamp, in their order
   double relaxation_time_;
   std::optional<MomentCurvature> law_;  // none: linear
 };

@@ -10,8 +10,8 @@ namespace sundrape {
 /// Signed distance to a surface and its first two derivatives at one point.
 struct Distance {
   double gap;         // [m], positive outside
-  Vector3 normal;     // ∇gap, of unit length
-  Matrix3 curvature;  // ∇∇gap [1/m], symmetric; normal is in its null space
+  Vector3 normal;     // ∇gap, of unit length; of a MeshObstacle shorter next to edges
+  Matrix3 curvature;  // ∇∇gap [1/m], symmetric; a normal of unit length is in its null space
 };
 
 /// A rigid body that cloth can touch.

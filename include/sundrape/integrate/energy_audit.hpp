@@ -6,8 +6,10 @@ namespace sundrape {
 /// Keeps the books of a run's energy: what loads put in, what physics turned into heat, and what the integration method
 /// itself lost.
 ///
-/// A step's heat and work are its length times the powers at its middle, with rates Δq/h: second order for smooth
-/// motion, and blind to what stiff rates at the ends of a step look like, which no error test watches closely.
+/// A step's heat is its length times the power at its middle, with rates Δq/h: second order for smooth motion, and
+/// blind to what stiff rates at the ends of a step look like, which no error test watches closely. The work of loads,
+/// supports and obstacles that move is its length times the mean of the powers at its ends: there stiff forces are in
+/// balance, while between two places of a thread that turns they are not.
 ///
 ///     method_dissipated = E(0) + external_work − dissipated − E(t),   E = kinetic + stored without the loads'
 ///     potential
@@ -16,7 +18,7 @@ class EnergyAudit {
   struct Balance {
     Energies energies;
     double dissipated = 0;         // by damping and impacts so far [J]
-    double external_work = 0;      // of loads so far [J]
+    double external_work = 0;      // of loads and of supports that move so far [J]
     double method_dissipated = 0;  // by the integration method so far [J]
   };
 
@@ -32,14 +34,18 @@ class EnergyAudit {
   [[nodiscard]] double initial_energy() const { return initial_energy_; }
 
  private:
+  [[nodiscard]] double power_in(const State& all) const;
+
   const System& system_;
   double initial_energy_, initial_load_;  // [J]
   double start_ = 0, end_ = 0;            // of the last step [s]
   double power_out_ = 0, power_in_ = 0;   // over the last step [W]
+  double power_in_now_ = 0;               // when it ended [W]
   double dissipated_ = 0, fed_in_ = 0;    // until the last step began [J]
   double impact_loss_ = 0;
-  Vector q_;              // where the last step ended, 3P
-  Vector middle_, rate_;  // work
+  double held_kinetic_ = 0;  // of what is held and carried, when the last step ended [J]
+  Vector q_;                 // where the last step ended, 3P
+  Vector middle_, rate_;     // work
   double carried_work_ = 0;
 };
 

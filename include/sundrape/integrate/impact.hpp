@@ -24,7 +24,7 @@ class Impact final : public EventSource {
   [[nodiscard]] double dissipated() const override { return dissipated_; }
 
  private:
-  [[nodiscard]] double distance_to_reach(ConstVectorRef q, int node) const;
+  [[nodiscard]] double distance_to_reach(const State& all, int node) const;
 
   const ObstacleContact& contact_;
   Vector mass_;

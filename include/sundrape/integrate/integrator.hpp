@@ -22,6 +22,7 @@ struct IntegratorOptions {
   Vector rate_slack = {};    // rows, n: how many times larger the errors of rates may be; empty: 1
   int max_order = 2;
   std::optional<double> first_step{}, max_step{};  // [s]
+  double newton_accuracy = 1;                      // factor on the error that Newton's iteration may leave
   double fixed_step = 0;                           // [s], Runge–Kutta only
   double linear_tolerance = 3e-3;                  // of iterative linear solves, relative
 };

@@ -72,13 +72,20 @@ struct ClothCase {
   std::optional<bool> waviness_at_rest;  // whether the rest shape is wavy too; default: in arc-length
 };
 
+/// When nodes are held: dynamics only.
+struct GripCase {
+  std::optional<double> from;   // gripped where they are then [s]; else from the start
+  std::optional<double> until;  // let go [s]
+};
+
 struct FixCase {
   std::string name;  // of its reaction in the result; from the selector unless given
   Selector nodes;
   std::array<bool, 3> components{true, true, true};
   std::array<bool, 3> director{true, true, true};  // components of a shell node's director; all with `rotation`
   bool rotation = true;                            // the slope: of a particle net's edge, or the whole director
-  SourceLine source;                               // of the selector
+  GripCase grip = {};
+  SourceLine source;  // of the selector
 };
 
 // [m/s²]
@@ -116,14 +123,26 @@ struct LoadCase {
   SourceLine source;              // of the selector where it has one
 };
 
+/// A path, and when it is travelled.
+struct PathCase {
+  RigidPath path;
+  double start = 0;                     // [s]
+  std::optional<double> duration = {};  // [s]; of keyframes by their times
+  bool smooth = true;                   // starts and stops smoothly
+  std::vector<double> stages{1};        // shares of the path at the ends of the stages of arc-length
+
+  [[nodiscard]] double end() const { return start + duration.value_or(0); }  // [s]
+};
+
 /// Nodes carried along a path.
 struct MotionCase {
   std::string name;  // of its reaction in the result; from the selector unless given
   Selector nodes;
   std::array<bool, 3> components{true, true, true};
-  RigidPath path;
-  std::vector<double> stages{1};  // shares of the path at the ends of the stages
-  SourceLine source;              // of the selector
+  bool rotation = false;  // the gripped edge turns with the path; else it is a hinge
+  PathCase course;
+  GripCase grip = {};
+  SourceLine source;  // of the selector
 };
 
 struct PlaneShape {
@@ -158,10 +177,20 @@ struct DiscPedestalShape {
   double edge_radius = 0;
 };
 
+// a closed surface of triangles, scaled to metres; absolute path
+struct MeshBodyShape {
+  std::filesystem::path file;
+  double unit = 1;
+  std::optional<double> voxel;  // [m]; default: a 64th of its largest size
+  SourceLine source;
+};
+
 struct ObstacleCase {
   std::string name;
-  std::variant<PlaneShape, BoxShape, CylinderShape, SphereShape, CapsuleShape, DiscPedestalShape> shape;
-  Place place;
+  std::variant<PlaneShape, BoxShape, CylinderShape, SphereShape, CapsuleShape, DiscPedestalShape, MeshBodyShape> shape;
+  Place place;                     // where it stands at the start
+  std::optional<PathCase> motion;  // from there
+  double friction = 0;             // coefficient of Coulomb's friction
   SourceLine source;
 };
 
@@ -172,6 +201,7 @@ struct ContactCase {
   double penetration = 0;             // allowed [m]; default 0.1 thickness
   std::optional<double> restitution;  // in [0, 1]; absent: no impact law
   double restitution_speed = 0.05;    // impacts slower than this are left to the penalty force [m/s]
+  double friction_speed = 1e-4;       // below which friction is viscous instead of holding [m/s]
   double thickness = 0;               // scale of the two defaults above [m]; default the material's
 };
 
@@ -191,9 +221,10 @@ struct DynamicsCase {
 };
 
 struct RelaxationCase {
-  double tolerance = 1e-6;            // on |out-of-balance force| / |external force|
-  std::string scheme = "implicit";    // implicit | chapter
-  bool continuation = true;           // from coarser meshes, where there are any
+  std::vector<double> times;        // ascending, at which to look for equilibrium where supports or obstacles move [s]
+  double tolerance = 1e-6;          // on |out-of-balance force| / |external force|
+  std::string scheme = "implicit";  // implicit | chapter
+  bool continuation = true;         // from coarser meshes, where there are any
   std::optional<int> max_iterations;  // default 2000; of the chapter's scheme 1,000,000
   std::optional<double> first_step;   // [s]
   double growth = 1.5;
@@ -260,6 +291,7 @@ struct Case {
   ClothCase cloth;
   std::string fabric_title;  // empty where the case does not say
   Fabric fabric;
+  std::optional<double> breaking_strain;  // of an edge: beyond it the cloth counts as torn
   std::vector<FixCase> fixes;
   std::vector<MotionCase> motions;
   std::vector<LoadCase> loads;
@@ -273,17 +305,30 @@ struct Case {
   std::string text;            // the TOML as run, --set included
   std::string inputs;          // fingerprints of the other files that it reads: mesh, start
 
-  /// When the last load has reached its full size in dynamics [s].
-  [[nodiscard]] double longest_ramp() const {
-    double longest = 0;
-    for (const auto& load : loads) longest = std::max(longest, load.ramp);
-    return longest;
+  /// Whether supports or obstacles move.
+  [[nodiscard]] bool moves() const {
+    return !motions.empty() || std::ranges::any_of(obstacles, [](const auto& o) { return o.motion.has_value(); });
   }
-  /// Stages of arc-length that loads and motions name: at least 1.
+  /// When the last load has reached its full size and the last path has ended [s].
+  [[nodiscard]] double settled_after() const {
+    double last = 0;
+    for (const auto& load : loads) last = std::max(last, load.ramp);
+    return std::max(last, end_of_paths());
+  }
+  [[nodiscard]] double end_of_paths() const {  // [s]; 0 where nothing moves
+    double last = 0;
+    for (const auto& motion : motions) last = std::max(last, motion.course.end());
+    for (const auto& obstacle : obstacles)
+      if (obstacle.motion) last = std::max(last, obstacle.motion->end());
+    return last;
+  }
+  /// Stages of arc-length that loads, motions and obstacles name: at least 1.
   [[nodiscard]] int stages() const {
     std::size_t most = 1;
     for (const auto& load : loads) most = std::max(most, load.stages.size());
-    for (const auto& motion : motions) most = std::max(most, motion.stages.size());
+    for (const auto& motion : motions) most = std::max(most, motion.course.stages.size());
+    for (const auto& obstacle : obstacles)
+      if (obstacle.motion) most = std::max(most, obstacle.motion->stages.size());
     return static_cast<int>(most);
   }
 };

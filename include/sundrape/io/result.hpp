@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sundrape/mesh/quad_mesh.hpp"
+#include "sundrape/mesh/triangle_mesh.hpp"
 #include "sundrape/types.hpp"
 
 /// What a result consists of, for those who write it and those who read it. SI units throughout.
@@ -23,6 +24,16 @@ struct ObstacleRecord {
   std::map<std::string, std::vector<double>> parameters;  // its shape, by the names of the case file, SI
   Vector3 position = Vector3::Zero();                     // [m]
   Matrix3 rotation = Matrix3::Identity();                 // shape to world
+  double friction = 0;                                    // coefficient
+  bool moves = false;                                     // frames say where it is
+  TriangleMesh surface = {};                              // of a mesh; else empty
+};
+
+/// An obstacle at one instant.
+struct ObstaclePose {
+  Vector3 position = Vector3::Zero();  // [m]
+  Matrix3 rotation = Matrix3::Identity();
+  Vector3 force = Vector3::Zero();  // on the cloth [N]
 };
 
 struct ProbeRecord {
@@ -88,11 +99,12 @@ struct Frame {
   Vector director;            // 3N, where the header says so
   ElementFields elements;     // where the header says so
   FrameEnergies energies;
-  double residual = 0;             // |out-of-balance force| / |external force|
-  int negative_pivots = -1;        // of the tangent; −1: not evaluated
-  double penetration = 0;          // deepest, into an obstacle [m]
-  std::vector<Vector3> reactions;  // force that the cloth exerts on each reaction set [N]
-  std::vector<Vector3> moments;    // its moment about the mean position of the set's nodes [N m]
+  double residual = 0;                  // |out-of-balance force| / |external force|
+  int negative_pivots = -1;             // of the tangent; −1: not evaluated
+  double penetration = 0;               // deepest, into an obstacle [m]
+  std::vector<Vector3> reactions;       // force that the cloth exerts on each reaction set [N]
+  std::vector<Vector3> moments;         // its moment about the mean position of the set's nodes [N m]
+  std::vector<ObstaclePose> obstacles;  // one an obstacle of the header; may be empty: as there, without forces
 };
 
 /// Where an equilibrium path has a limit point or forks.

@@ -16,6 +16,13 @@ class EdgeStrains {
   /// @param q  coordinates that begin with those of the nodes, 3N or more [m]
   [[nodiscard]] std::pair<double, double> range(ConstVectorRef q) const;
 
+  struct Stretched {
+    int i = -1, j = -1;  // its nodes
+    double strain = 0;
+  };
+  /// The edge with the largest strain; none (−1) where all are shorter than at rest.
+  [[nodiscard]] Stretched most_stretched(ConstVectorRef q) const;
+
  private:
   struct Length {
     int i, j;

@@ -1,7 +1,8 @@
 #pragma once
 #include <variant>
 
-#include "sundrape/types.hpp"
+#include "sundrape/mesh/keyframes.hpp"
+#include "sundrape/mesh/rigid_placement.hpp"
 
 namespace sundrape {
 
@@ -16,10 +17,19 @@ struct LinePath {
   Vector3 by = Vector3::Zero();
 };
 
-/// How a rigid body is carried, from its place at a share of 0 to its end at 1.
-using RigidPath = std::variant<ArcPath, LinePath>;
+/// Turns about an axis through a centre, then translations, both by keyframes: rows x, y, z of the translation [m],
+/// then the angle [rad]. A share counts over the time from the first to the last.
+struct KeyframePath {
+  Keyframes keyframes;
+  Vector3 centre = Vector3::Zero(), axis = Vector3::UnitZ();
+};
 
-/// Where a point x [m] has got to after a share of the path, which may be outside [0, 1].
-[[nodiscard]] Vector3 carried_along(const RigidPath& path, double share, const Vector3& x);
+/// How a rigid body is carried, from its place at a share of 0 to its end at 1.
+using RigidPath = std::variant<ArcPath, LinePath, KeyframePath>;
+
+/// Where a body that is at rest in x ↦ x has got to after a share of the path, which may be outside [0, 1].
+[[nodiscard]] RigidPlacement placement_along(const RigidPath& path, double share);
+/// Its rate by the share: of a point that is at x then, ∂x/∂share.
+[[nodiscard]] RigidRate rate_along(const RigidPath& path, double share);
 
 }  // namespace sundrape

@@ -2,17 +2,46 @@
 #include <array>
 #include <vector>
 
-#include "sundrape/force/load_course.hpp"
-#include "sundrape/mesh/rigid_path.hpp"
+#include "sundrape/force/path_course.hpp"
 
 namespace sundrape {
 
-/// Points that are carried along a path: supports that move. Its course says how far they are.
+/// Points that are carried along a path: supports that move.
 struct PrescribedMotion {
   std::vector<int> points;
   std::array<bool, 3> components{true, true, true};  // that follow the path; the others are free or held elsewhere
-  RigidPath path;
-  LoadCourse course;
+  PathCourse course;
+  std::vector<int> directions = {};  // points that turn with it: directors of a shell
+};
+
+/// All prescribed motions of a system. A point may take part in several: these follow each other, the first in the list
+/// first.
+class PrescribedMotions {
+ public:
+  PrescribedMotions() = default;
+  /// @param points  of the system, P
+  PrescribedMotions(std::vector<PrescribedMotion> motions, int points);
+
+  [[nodiscard]] bool empty() const { return motions_.empty(); }
+  /// Puts the carried components of q (3P) where they are at a time (or a load factor of a stage), starting from where
+  /// they rest; no other entry changes.
+  void place(double time, int stage, ConstVectorRef rest, VectorRef q) const;
+  /// The same with their rates in v (3P).
+  void place(double time, ConstVectorRef rest, VectorRef q, VectorRef v) const;
+  /// Accelerations of the carried components [m/s²], 3P, zero elsewhere: differences of rates over a microsecond.
+  [[nodiscard]] Vector acceleration(double time, ConstVectorRef rest) const;
+
+ private:
+  struct Carried {
+    int point = 0;
+    bool direction = false;
+    std::vector<std::size_t> motions;  // in their order
+  };
+  template <class Visit>
+  void visit(double time, int stage, ConstVectorRef rest, Visit&& visit) const;
+
+  std::vector<PrescribedMotion> motions_;
+  std::vector<Carried> carried_;
 };
 
 }  // namespace sundrape

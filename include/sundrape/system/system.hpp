@@ -32,12 +32,14 @@ class System {
   [[nodiscard]] const BlockStructure& structure() const { return structure_; }
 
   [[nodiscard]] bool has_motions() const { return !motions_.empty(); }
-  /// Puts the points that are carried along paths where they are at a load factor of a stage; of q, 3P [m], no other
-  /// entry changes.
-  void carry(double load_factor, int stage, VectorRef q) const;
+  /// Puts the points that are carried along paths where they are at a time, or at a load factor of a stage; of q, 3P
+  /// [m], no other entry changes.
+  void carry(double time, int stage, VectorRef q) const { motions_.place(time, stage, rest_, q); }
+  /// Accelerations of what is held [m/s²], 3P; zero elsewhere, and where supports do not move.
+  [[nodiscard]] Vector held_acceleration(double time) const { return motions_.acceleration(time, rest_); }
 
-  /// Every point's coordinates and rates from the unknowns'.
-  void expand(ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const;
+  /// Every point's coordinates and rates at a time from the unknowns'.
+  void expand(double time, ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const;
 
   /// Σ f_k, 3P [N]; f is overwritten.
   void force(const State& all, VectorRef f) const;
@@ -49,7 +51,11 @@ class System {
   void hold(BlockMatrix& matrix, double value) const;
 
   [[nodiscard]] Energies energies(const State& all) const;
-  [[nodiscard]] double kinetic_energy(const State& all) const;    // [J]
+  [[nodiscard]] double kinetic_energy(const State& all) const;       // [J]
+  [[nodiscard]] double held_kinetic_energy(const State& all) const;  // of components that are held and carried [J]
+  /// Power that supports put in beyond what changes the kinetic energy of what they hold [W]: −Σ f v of held
+  /// components.
+  [[nodiscard]] double support_power(const State& all) const;
   [[nodiscard]] double dissipated_power(const State& all) const;  // [W]
   [[nodiscard]] double external_power(const State& all) const;    // [W]
   /// |forces of loads and gravity| over the unknowns [N]: what the out-of-balance force is compared with.
@@ -60,7 +66,7 @@ class System {
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   Unknowns unknowns_;
   Vector rest_;
-  std::vector<PrescribedMotion> motions_;
+  PrescribedMotions motions_;
   BlockStructure structure_;
   std::vector<SlotTable> tables_;  // one a term
 };

@@ -1,0 +1,67 @@
+#include "sundrape/system/prescribed_motion.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace sundrape {
+
+PrescribedMotions::PrescribedMotions(std::vector<PrescribedMotion> motions, int points) : motions_(std::move(motions)) {
+  std::vector<std::size_t> entry(static_cast<std::size_t>(points), carried_.max_size());
+  const auto add = [&](int point, bool direction, std::size_t motion) {
+    auto& at = entry.at(static_cast<std::size_t>(point));
+    if (at == carried_.max_size()) {
+      at = carried_.size();
+      carried_.push_back({point, direction, {}});
+    }
+    carried_[at].motions.push_back(motion);
+  };
+  for (std::size_t m = 0; m < motions_.size(); ++m) {
+    for (const int p : motions_[m].points) add(p, false, m);
+    for (const int p : motions_[m].directions) add(p, true, m);
+  }
+}
+
+template <class Visit>
+void PrescribedMotions::visit(double time, int stage, ConstVectorRef rest, Visit&& visit) const {
+  const Vector nothing;
+  const State state{time, nothing, nothing, stage};
+  std::vector<RigidPlacement> placements;
+  std::vector<RigidRate> rates;
+  for (const auto& motion : motions_) {
+    placements.push_back(motion.course.placement(state));
+    rates.push_back(motion.course.rate(state));
+  }
+  constexpr std::array all{true, true, true};
+  for (const auto& carried : carried_) {
+    Vector3 x = point(rest, carried.point), rate = Vector3::Zero();
+    for (const auto m : carried.motions) {
+      const auto& turn = placements[m].rotation;
+      x = carried.direction ? Vector3(turn * x) : placements[m](x);
+      rate = turn * rate + (carried.direction ? Vector3(rates[m].spin.cross(x)) : rates[m](x));
+      const auto& components = carried.direction ? all : motions_[m].components;
+      for (int c = 0; c < 3; ++c)
+        if (components[static_cast<std::size_t>(c)]) visit(3 * carried.point + c, x[c], rate[c]);
+    }
+  }
+}
+
+void PrescribedMotions::place(double time, int stage, ConstVectorRef rest, VectorRef q) const {
+  visit(time, stage, rest, [&](int entry, double x, double /*rate*/) { q[entry] = x; });
+}
+
+void PrescribedMotions::place(double time, ConstVectorRef rest, VectorRef q, VectorRef v) const {
+  visit(time, 0, rest, [&](int entry, double x, double rate) {
+    q[entry] = x;
+    v[entry] = rate;
+  });
+}
+
+Vector PrescribedMotions::acceleration(double time, ConstVectorRef rest) const {
+  constexpr double step = 1e-6;  // [s]
+  Vector before = Vector::Zero(rest.size()), after = before;
+  visit(time - step, 0, rest, [&](int entry, double /*x*/, double rate) { before[entry] = rate; });
+  visit(time + step, 0, rest, [&](int entry, double /*x*/, double rate) { after[entry] = rate; });
+  return (after - before) / (2 * step);
+}
+
+}  // namespace sundrape
