@@ -17,8 +17,11 @@ struct State {
   double time;       // [s]; in staged statics the load factor of the stage
   ConstVectorRef q;  // coordinates [m]
   ConstVectorRef v;  // their rates [m/s]
-  int stage = 0;     // of staged statics, from 1 on; 0: loads go by time
+  int stage = 0;     // of staged statics, from 1 on; 0: loads and paths go by time; or statics_by_time
 };
+
+/// Stage of a state whose loads and supports are where they are at a time, but rest there.
+inline constexpr int statics_by_time = -1;
 
 /// The 3-vector that belongs to point i, as something to read or to write.
 inline auto point(ConstVectorRef& x, int i) { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); }

@@ -138,10 +138,17 @@ def _turned(shape: tuple[np.ndarray, np.ndarray], obstacle: Obstacle) -> tuple[n
     return points @ frame_of(obstacle.parameters.get("axis", [0, 0, 1])).T, faces
 
 
+def _mesh(obstacle: Obstacle) -> tuple[np.ndarray, np.ndarray]:
+    if obstacle.surface is None:
+        raise KeyError("vertices")
+    return obstacle.surface
+
+
 _SHAPES: dict[str, Callable[[Obstacle], tuple[np.ndarray, np.ndarray]]] = {
     "box": _box,
     "cylinder": _cylinder,
     "sphere": _sphere,
     "capsule": _capsule,
     "disc": _disc,
+    "mesh": _mesh,
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -23,10 +23,18 @@ STATIC_ANALYSES = ("relaxation", "arc-length")
 class Obstacle:
     """A rigid body of the scene, given in its own frame and placed as x = position + rotation @ local."""
 
-    kind: str  # plane | box | cylinder | sphere | capsule | disc
+    kind: str  # plane | box | cylinder | sphere | capsule | disc | mesh
     parameters: Mapping[str, Any]  # SI: size, edge_radius, radius, length, axis, height, point, normal
     position: np.ndarray  # (3,) [m]
     rotation: np.ndarray  # (3, 3)
+    surface: tuple[np.ndarray, np.ndarray] | None = None  # of a mesh: vertices (V, 3) [m], triangles (T, 3)
+    path: tuple[np.ndarray, np.ndarray] | None = None  # if it moves: positions (F, 3) [m], rotations (F, 3, 3)
+
+    def at(self, frame: int) -> Obstacle:
+        """Where it stands at a frame."""
+        if self.path is None:
+            return self
+        return replace(self, position=self.path[0][frame], rotation=self.path[1][frame], path=None)
 
 
 @dataclass(frozen=True)
@@ -152,7 +160,7 @@ def _read(file: h5py.File, path: Path) -> Result:
         penetration=cut.get("penetration"),
         steps=_columns(file.get("steps")),
         probes={name: _probe(group) for name, group in _members(file.get("probes")) if "position" in group},
-        obstacles={name: _obstacle(item, path) for name, item in _members(file.get("obstacles"))},
+        obstacles={name: _obstacle(item, path, _path(frames, name, count)) for name, item in _members(file.get("obstacles"))},
         statistics=_attributes(file["statistics"]) if "statistics" in file else {},
         units=_units(file),
         case=_case(attributes),
@@ -172,7 +180,17 @@ def _probe(group: h5py.Group) -> Probe:
     return Probe(columns.get("time", np.arange(len(position), dtype=float)), position, columns.get("velocity"))
 
 
-def _obstacle(item: h5py.Group | h5py.Dataset, path: Path) -> Obstacle:
+def _path(frames: h5py.Group, name: str, count: int) -> tuple[np.ndarray, np.ndarray] | None:
+    """Positions and rotations of an obstacle that moves."""
+    try:
+        return frames[f"obstacle_position/{name}"][:count], frames[f"obstacle_rotation/{name}"][:count]
+    except KeyError:
+        return None
+
+
+def _obstacle(
+    item: h5py.Group | h5py.Dataset, path: Path, moves: tuple[np.ndarray, np.ndarray] | None
+) -> Obstacle:
     attributes = _attributes(item)
     try:
         return Obstacle(
@@ -180,6 +198,8 @@ def _obstacle(item: h5py.Group | h5py.Dataset, path: Path) -> Obstacle:
             parameters=_numbers(json.loads(attributes.get("parameters", "{}"))),
             position=np.asarray(attributes.get("position", np.zeros(3)), dtype=float).reshape(3),
             rotation=np.asarray(attributes.get("rotation", np.eye(3)), dtype=float).reshape(3, 3),
+            surface=(item["vertices"][()], item["triangles"][()].astype(np.int64)) if "vertices" in item else None,
+            path=moves,
         )
     except (KeyError, ValueError, AttributeError) as trouble:
         raise PostprocError(f"{path}: {item.name} is not a readable obstacle: {_one_line(trouble)}") from trouble

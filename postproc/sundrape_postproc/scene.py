@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
 from . import bodies, ground
 from .camera import NO_ROOM, Room, three_quarter
 from .clearance import drape_over
-from .load import Result
+from .load import Obstacle, Result
 from .surface import SmoothSurface
 from .weave import thread_spacing, weave_texture
 
@@ -45,25 +45,32 @@ class Scene:
         self._result = result
         self._size = size
         self._surface = SmoothSurface(result.quads, result.position.shape[1])
-        self._bodies = [bodies.body(o) for o in result.obstacles.values() if o.kind != "plane"]
-        self._planes = [bodies.plane(o) for o in result.obstacles.values() if o.kind == "plane"]
         self._cloth_points = np.concatenate([result.position[k] for k in frames])
-        self._view = three_quarter(self._cloth_points, [_points(b) for b in self._bodies], size[0] / size[1], free)
+        shown = [_points(body) for k in frames for body in self._bodies(k)]
+        self._view = three_quarter(self._cloth_points, shown, size[0] / size[1], free)
+
+    def _obstacles(self, frame: int) -> list[Obstacle]:
+        return [obstacle.at(frame) for obstacle in self._result.obstacles.values()]
+
+    def _bodies(self, frame: int) -> list[vtkPolyData]:
+        return [bodies.body(o) for o in self._obstacles(frame) if o.kind != "plane"]
 
     def draw(self, frame: int) -> np.ndarray:
         """One frame as an image (height, width, 3) of bytes, top row first."""
         points = self._surface.points(self._result.position[frame])
-        points = drape_over(points, self._surface.quads, self._result.obstacles.values(), LIFT * self._view.radius)
+        points = drape_over(points, self._surface.quads, self._obstacles(frame), LIFT * self._view.radius)
         renderer = vtkRenderer()
         renderer.GradientBackgroundOn()
         renderer.SetBackground(*BACKGROUND_BOTTOM)
         renderer.SetBackground2(*BACKGROUND_TOP)
         for actor in self._cloth(points):
             renderer.AddActor(actor)
-        for data in self._bodies:
+        drawn = self._bodies(frame)
+        planes = [bodies.plane(o) for o in self._obstacles(frame) if o.kind == "plane"]
+        for data in drawn:
             renderer.AddActor(_actor(data, BODY_COLOUR, specular=0.12))
-        shadow_casters = [points] + [_points(data) for data in self._bodies]
-        for actor in ground.actors(self._cloth_points, shadow_casters, self._planes, self._view):
+        shadow_casters = [points] + [_points(data) for data in drawn]
+        for actor in ground.actors(self._cloth_points, shadow_casters, planes, self._view):
             renderer.AddActor(actor)
         _light(renderer)
         self._view.apply(renderer)

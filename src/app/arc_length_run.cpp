@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sundrape/app/analyses.hpp"
+#include "sundrape/app/mishaps.hpp"
 #include "sundrape/app/solver_choice.hpp"
 #include "sundrape/app/stop_request.hpp"
 #include "sundrape/statics/equilibrium_path.hpp"
@@ -47,6 +48,7 @@ class Watch final : public PathObserver {
         recorder_(recorder),
         progress_(progress),
         still_(Vector::Zero(model.initial.size())),
+        mishaps_(c, model),
         stop_(c.arc_length.time_limit) {
     if (const auto& restart = recorder.restart()) work_ = restart->balance.external_work;
   }
@@ -58,6 +60,7 @@ class Watch final : public PathObserver {
     before_ = at.q;
     before_load_ = at.load_factor == 1 ? 0 : at.load_factor;  // the next stage begins where this one ends
     last_ = step;
+    mishap_ = mishaps_.at(now);
     const auto contact = recorder_.step({at.load_factor, at.q, still_, at.stage});
     recorder_.step_values({{"load_factor", at.load_factor},
                            {"stage", at.stage},
@@ -105,7 +108,8 @@ class Watch final : public PathObserver {
     progress_.say("warning: " + text);
     if (++warnings_ <= most_kept_warnings) recorder_.warn(text);
   }
-  [[nodiscard]] bool wants_to_stop() override { return stop_.wanted(); }
+  [[nodiscard]] bool wants_to_stop() override { return mishap_ || stop_.wanted(); }
+  [[nodiscard]] const std::optional<std::string>& mishap() const { return mishap_; }
   [[nodiscard]] bool out_of_time() const { return stop_.out_of_time(); }
   [[nodiscard]] int critical_points() const { return critical_points_; }
   [[nodiscard]] const PathStep& last() const { return last_; }
@@ -166,6 +170,8 @@ class Watch final : public PathObserver {
   Progress& progress_;
   Vector still_, before_;  // 3P
   double before_load_ = 0, work_ = 0;
+  Mishaps mishaps_;
+  std::optional<std::string> mishap_;
   StopRequest stop_;
   PathStep last_;
   long framed_ = -1;
@@ -231,7 +237,9 @@ AnalysisEnd run_arc_length(const Case& c, const CaseModel& model, Recorder& reco
                       "arc-length.unstable_end = \"relax\" goes on to the stable one next to it",
                       pivots));
   }
-  if (result.end != PathEnd::complete && watch.out_of_time()) {
+  if (watch.mishap()) {
+    end = {ResultStatus::failed, fmt::format("at {}: {}", where, *watch.mishap())};
+  } else if (result.end != PathEnd::complete && watch.out_of_time()) {
     end = {ResultStatus::failed, out_of_time_message(*c.arc_length.time_limit, "at " + where, "arc-length")};
   } else if (result.end == PathEnd::stopped) {
     end = {ResultStatus::interrupted, fmt::format("interrupted at {}: continue with --resume", where)};

@@ -174,6 +174,7 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
   std::vector<ContactBody> bodies;
   for (const auto& obstacle : c.obstacles) {
     auto built = build_obstacle(obstacle);
+    if (c.analysis != Analysis::dynamics) built.body.friction = 0;  // nothing slides in statics
     bodies.push_back(std::move(built.body));
     model.obstacles.push_back(std::move(built.record));
   }

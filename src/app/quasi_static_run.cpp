@@ -49,7 +49,7 @@ class QuasiStaticRun final : public RelaxationObserver {
   }
 
   void step(const State& all, const RelaxationStep& step) override {
-    if (!mishap_) mishap_ = mishaps_.at({time_, all.q, all.v});
+    if (!mishap_) mishap_ = mishaps_.at({time_, all.q, still_, statics_by_time});
     if (progress_.due())
       progress_.show(fmt::format("supports at t = {:.4f} s: iteration {}, residual {:.2e}, step {:.2e} s", time_,
                                  iterations_ + step.iteration, step.residual, step.step_size),
@@ -60,7 +60,7 @@ class QuasiStaticRun final : public RelaxationObserver {
  private:
   AnalysisEnd advance(double time, bool first) {
     auto found = to(time, first);
-    const State here{found.time, q_, still_};
+    const State here{found.time, q_, still_, statics_by_time};
     if (!mishap_) mishap_ = mishaps_.at(here);
     std::optional<int> pivots;
     if (found.relaxation.end == RelaxationEnd::converged && !mishap_) {
@@ -87,13 +87,15 @@ class QuasiStaticRun final : public RelaxationObserver {
     if (!first) return follow_supports(*model_.system, *solver_, options_, time_, time, q_, *this);
     auto options = options_.relaxation;
     options.load_factor = time;
-    model_.system->carry(time, 0, q_);
+    options.stage = statics_by_time;
+    model_.system->carry(time, statics_by_time, q_);
     return {relax(*model_.system, *solver_, options, q_, *this), time};
   }
 
   std::optional<int> fall(FollowResult& found) {
     auto options = options_.relaxation;
     options.load_factor = found.time;
+    options.stage = statics_by_time;
     const auto fallen = relax_to_stable_neighbour(*model_.system, *solver_, options, push_of_unstable(model_),
                                                   neutral_frequency(model_), q_, *this);
     found.relaxation.end = fallen.result.end;
@@ -105,14 +107,15 @@ class QuasiStaticRun final : public RelaxationObserver {
   }
 
   void record(double time, const RelaxationResult& found, std::optional<int> pivots) {
-    const State all{time, q_, still_};
+    const State all{time, q_, still_, statics_by_time};
     const auto contact = recorder_.step(all);
     EnergyAudit::Balance balance;
     balance.energies = model_.system->energies(all);
     const double energy = balance.energies.total();
     if (recorder_.frames() == 0) initial_energy_ = energy;
     balance.external_work = work_;
-    balance.dissipated = initial_energy_ + work_ - energy;  // where the sheet fell to another equilibrium
+    // where the sheet fell to another equilibrium, and what obstacles that move put in
+    balance.method_dissipated = initial_energy_ + work_ - energy;
     recorder_.frame(all, balance, pivots);
     recorder_.step_values({{"time", time},
                            {"step_size", time - time_},

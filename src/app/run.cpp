@@ -131,6 +131,10 @@ ExitStatus run_case(const RunOptions& options) {
   const InterruptGuard guard;
   Recorder recorder(c, model, {output, options.resume}, step_columns(c.analysis),
                     c.analysis == Analysis::dynamics ? c.output.frame_times.size() : 32, clock);
+  if (c.analysis != Analysis::dynamics)
+    for (const auto& obstacle : c.obstacles)
+      if (obstacle.friction > 0)
+        recorder.warn(fmt::format("friction acts in dynamics only: '{}' is smooth here", obstacle.name));
   AnalysisEnd end;
   nlohmann::json summary;
   {

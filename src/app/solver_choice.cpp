@@ -1,5 +1,6 @@
 #include "sundrape/app/solver_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sundrape/integrate/default_tolerances.hpp"
@@ -78,11 +79,24 @@ PathOptions path_options(const Case& c, const CaseModel& model) {
   return o;
 }
 
+namespace {
+
+/// A factor of a narrow strip has hardly more entries than its matrix. Iterations are inexact in just the slow motions
+/// across it that matter, for a residual does not see them next to the membrane (docs/folding.md).
+bool is_narrow(const ClothCase& cloth) {
+  constexpr int few = 4;  // cells
+  const auto* strip = std::get_if<RectangleShape>(&cloth.shape);
+  return strip != nullptr && std::min(strip->cells_warp, strip->cells_weft) <= few;
+}
+
+}  // namespace
+
 std::unique_ptr<LinearSolver> dynamics_solver(const Case& c) {
   const auto& name = c.dynamics.linear_solver;
   // the symmetric part is good enough for the little that a pressure turns
   const bool skew = c.model == Model::shell && !plate_bending(c.fabric).is_symmetric();
-  return named(name == "auto" && skew ? "lu" : name, c.model);
+  if (name == "auto") return named(skew ? "lu" : is_narrow(c.cloth) ? "cholesky" : "cg", c.model);
+  return named(name, c.model);
 }
 
 RelaxationOptions relaxation_options(const Case& c, const CaseModel& model) {

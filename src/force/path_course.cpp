@@ -13,7 +13,7 @@ double PathTiming::share(const State& state) const {
 }
 
 double PathTiming::share_rate(const State& state) const {
-  if (state.stage > 0 || duration == 0) return 0;
+  if (state.stage != 0 || duration == 0) return 0;
   const double x = (state.time - start) / duration;
   const double slope = profile == Profile::smooth ? smooth_step_rate(x) : (x >= 0 && x < 1 ? 1.0 : 0.0);
   return stages.back() * slope / duration;

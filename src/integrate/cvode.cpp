@@ -71,7 +71,7 @@ class Cvode final : public ImplicitIntegrator {
     require_success(CVodeWFtolerances(m, weigh), "CVodeWFtolerances");
     require_success(CVodeSetLinearSolver(m, embedded_.get(), nullptr), "CVodeSetLinearSolver");
     require_success(CVodeSetNonlinearSolver(m, iteration_.get()), "CVodeSetNonlinearSolver");
-    iteration_.use_rule();
+    iteration_.use_rule(options_.newton_accuracy < 1);
     require_success(CVodeSetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "CVodeSetNonlinConvCoef");
     require_success(CVodeSetMaxNumSteps(m, -1), "CVodeSetMaxNumSteps");
     require_success(CVodeSetMaxConvFails(m, 20), "CVodeSetMaxConvFails");

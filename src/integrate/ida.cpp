@@ -72,7 +72,7 @@ class Ida final : public ImplicitIntegrator {
     if (form_.system().has_massless_rows()) leave_algebraic_rates_out_of_the_error_test();
     require_success(IDASetLinearSolver(m, embedded_.get(), nullptr), "IDASetLinearSolver");
     require_success(IDASetNonlinearSolver(m, iteration_.get()), "IDASetNonlinearSolver");
-    iteration_.use_rule();
+    iteration_.use_rule(options_.newton_accuracy < 1);
     require_success(IDASetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "IDASetNonlinConvCoef");
     require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
     require_success(IDASetMaxConvFails(m, 20), "IDASetMaxConvFails");

@@ -8,8 +8,9 @@ namespace sundrape::sundials {
 namespace {
 
 constexpr double least_rate_change = 0.3;
-constexpr double divergence = 2;  // growth of the correction
-constexpr double largest = 2;     // weighted error of one coordinate
+constexpr double negligible = 1e-3;  // part of the tolerance that no slow convergence can hide behind
+constexpr double divergence = 2;     // growth of the correction
+constexpr double largest = 2;        // weighted error of one coordinate
 
 /// Largest weighted change of a coordinate; y = (q, v).
 double largest_move(N_Vector correction, N_Vector weights) {
@@ -24,7 +25,8 @@ NewtonIteration::NewtonIteration(const StateVector& like, const Context& context
   if (!solver_) throw std::bad_alloc();
 }
 
-void NewtonIteration::use_rule() {
+void NewtonIteration::use_rule(bool doubtful) {
+  doubtful_ = doubtful;
   require_success(SUNNonlinSolSetConvTestFn(solver_.get(), test, this), "SUNNonlinSolSetConvTestFn");
 }
 
@@ -36,6 +38,16 @@ int NewtonIteration::test(SUNNonlinearSolver solver, N_Vector /*iterate*/, N_Vec
   const double size = N_VWrmsNorm(correction, weights);
   me.rate_ = iteration > 0 ? std::max(least_rate_change * me.rate_, size / me.previous_) : 1.0;
   const double expected = std::min(1.0, me.rate_);
+  if (me.doubtful_ && size > negligible * tolerance) {
+    // a linear iteration ends size · rate/(1 − rate) away, which its first correction cannot tell
+    const double rate = iteration > 0 ? size / me.previous_ : 1.0;
+    const bool near = rate < 1 && size * rate / (1 - rate) <= tolerance;
+    if (!near) {
+      if (iteration > 0 && size > divergence * me.previous_) return SUN_NLS_CONV_RECVR;
+      me.previous_ = size;
+      return SUN_NLS_CONTINUE;
+    }
+  }
   if (size * expected <= tolerance && largest_move(correction, weights) * expected <= largest) return SUN_NLS_SUCCESS;
   if (iteration > 0 && size > divergence * me.previous_) return SUN_NLS_CONV_RECVR;
   me.previous_ = size;

@@ -9,6 +9,10 @@ namespace sundrape::sundials {
 /// iterate is taken once δ_m min(1, rate) ≤ tolerance, rate being max(0.3 rate, δ_m/δ_{m−1}), and 1 at the start of
 /// each step, and once no coordinate alone is expected to be off by more than twice its tolerance.
 ///
+/// Where the matrix is not the tangent the iteration converges linearly, and its first correction says nothing of how
+/// far it has to go: there δ_m r/(1 − r) ≤ tolerance with r = δ_m/δ_{m−1} is asked for, of all but negligible
+/// corrections.
+///
 /// The norm is a mean over all unknowns: of a large net it lets a single node sink into an obstacle by many times the
 /// tolerance. IDA's own rule carries the rate over from step to step where the linear solver needs no setup, and so
 /// takes the first iterate even when a node has just met an obstacle.
@@ -24,7 +28,8 @@ class NewtonIteration {
 
   [[nodiscard]] SUNNonlinearSolver get() const { return solver_.get(); }
   /// Once the integrator has the solver, which sets its own rule.
-  void use_rule();
+  /// @param doubtful  the matrix is not the tangent (friction): small corrections alone do not mean convergence
+  void use_rule(bool doubtful);
 
  private:
   struct Free {
@@ -34,6 +39,7 @@ class NewtonIteration {
                   N_Vector weights, void* data);
 
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, Free> solver_;
+  bool doubtful_ = false;
   double rate_ = 1, previous_ = 0;
 };
 

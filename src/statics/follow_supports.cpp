@@ -1,7 +1,6 @@
 #include "sundrape/statics/follow_supports.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "sundrape/statics/staged_equilibrium.hpp"
 #include "sundrape/statics/tangent.hpp"
@@ -9,7 +8,6 @@
 namespace sundrape {
 namespace {
 
-constexpr int by_time = 0;           // the stage of a state whose loads and paths go by time
 constexpr double cautious = 0.2;     // of the largest move, without a prediction
 constexpr double difference = 1e-7;  // of the way, in the speed of supports
 
@@ -17,18 +15,20 @@ constexpr double difference = 1e-7;  // of the way, in the speed of supports
 double speed_of_supports(const System& system, double from, double to, const Vector& q) {
   Vector now = q, then = q;
   const double step = difference * (to - from);
-  system.carry(from, by_time, now);
-  system.carry(from + step, by_time, then);
+  system.carry(from, statics_by_time, now);
+  system.carry(from + step, statics_by_time, then);
   return (then - now).cwiseAbs().maxCoeff() / step;
 }
 
-/// Power of supports, obstacles and loads when the free points rest [W].
-double power_in(const System& system, double time, const Vector& q) {
-  Vector rows(system.unknowns().size()), all_q(q.size()), v(q.size());
-  system.unknowns().gather(q, rows);
-  system.expand(time, rows, Vector::Zero(rows.size()), all_q, v);
-  const State all{time, all_q, v, by_time};
-  return system.external_power(all) + system.support_power(all);
+/// Work of supports and obstacles that go from one place to another while the free points rest: their forces at one
+/// end times the way [J].
+double work_over(const System& system, const Vector& q, double time, double from, double to) {
+  const Vector still = Vector::Zero(q.size());
+  Vector f(q.size()), start = q, end = q;
+  system.force({time, q, still, statics_by_time}, f);
+  system.carry(from, statics_by_time, start);
+  system.carry(to, statics_by_time, end);
+  return -f.dot(end - start);
 }
 
 }  // namespace
@@ -40,10 +40,9 @@ FollowResult follow_supports(const System& system, LinearSolver& solver, const F
   Vector rate(system.unknowns().size());
   FollowResult result;
   result.time = from;
-  double power = power_in(system, from, q);
   while (result.time < to) {
     const double remaining = to - result.time;
-    StagedEquilibrium equations(system, by_time, q, options.relaxation.force_scale);
+    StagedEquilibrium equations(system, statics_by_time, q, options.relaxation.force_scale);
     const double carried = speed_of_supports(system, result.time, to, q);
     rate.setZero();
     const bool predicts = tangent.factor(equations.state(q, result.time)) == FactorStatus::ok &&
@@ -57,7 +56,7 @@ FollowResult follow_supports(const System& system, LinearSolver& solver, const F
 
     auto relaxation = options.relaxation;
     relaxation.load_factor = last ? to : result.time + step;
-    relaxation.stage = by_time;
+    relaxation.stage = statics_by_time;
     if (!last) relaxation.tolerance = std::max(options.loose_tolerance, relaxation.tolerance);
     Vector tried = q;
     equations.move(tried, step * rate, relaxation.load_factor);
@@ -70,9 +69,9 @@ FollowResult follow_supports(const System& system, LinearSolver& solver, const F
     total.residual = found.residual;
     total.diagnosis = found.diagnosis;
     if (found.end != RelaxationEnd::converged) return result;
+    result.work += 0.5 * (work_over(system, q, result.time, result.time, relaxation.load_factor) +
+                          work_over(system, tried, relaxation.load_factor, result.time, relaxation.load_factor));
     q = tried;
-    const double power_before = std::exchange(power, power_in(system, relaxation.load_factor, q));
-    result.work += 0.5 * (power_before + power) * (relaxation.load_factor - result.time);
     result.time = relaxation.load_factor;
   }
   return result;

@@ -19,7 +19,7 @@ struct FollowOptions {
 struct FollowResult {
   RelaxationResult relaxation;  // counts of all steps; end and residual of the last one
   double time = 0;              // reached [s]
-  double work = 0;              // of supports, obstacles and loads that change, if time went as their paths say [J]
+  double work = 0;              // of the supports [J]
 };
 [[nodiscard]] FollowResult follow_supports(const System& system, LinearSolver& solver, const FollowOptions& options,
                                            double from, double to, Vector& q, RelaxationObserver& observer);
