@@ -21,7 +21,7 @@ TOLERANCE = 100 * RTOL * LENGTH
 class Resume(CommandLineTest):
     def setUp(self):
         super().setUp()
-        self.case = self.write("strip.toml", hanging(cells="[20, 4]", duration="2 s", rtol=RTOL, frames=50,
+        self.case = self.write("strip.toml", hanging(cells="[20, 4]", duration="2 s", rtol=RTOL, frames=50, more='linear_solver = "cg"',
                                                      output='checkpoint_every = "20 ms"'))
 
     def read(self, name):
