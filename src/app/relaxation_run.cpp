@@ -71,12 +71,7 @@ class ImplicitRelaxation {
  private:
   void relax_on_own_mesh(Vector& q, const RelaxationOptions& options) {
     const auto solver = statics_solver(c_, *model_.system);
-    const int iterations = found_.result.iterations, factorizations = found_.result.factorizations,
-              linear_iterations = found_.result.linear_iterations;
-    found_.result = relax(*model_.system, *solver, options, q, watch_);
-    found_.result.iterations += iterations;
-    found_.result.factorizations += factorizations;
-    found_.result.linear_iterations += linear_iterations;
+    found_.result = after(found_.result, relax(*model_.system, *solver, options, q, watch_));
     if (found_.result.end == RelaxationEnd::converged) found_.pivots = pivots_at(model_, q);
   }
 
@@ -155,12 +150,7 @@ AnalysisEnd run_relaxation(const Case& c, const CaseModel& model, Recorder& reco
     const auto solver = statics_solver(c, *model.system);
     const auto fallen = relax_to_stable_neighbour(*model.system, *solver, options, push_of_unstable(model),
                                                   neutral_frequency(model), q, watch);
-    found.pivots = fallen.pivots;
-    found.result.end = fallen.result.end;
-    found.result.diagnosis = fallen.result.diagnosis;
-    found.result.residual = fallen.result.residual;
-    found.result.iterations += fallen.result.iterations;
-    found.result.factorizations += fallen.result.factorizations;
+    found = {after(found.result, fallen.result), fallen.pivots};
   }
   const auto& result = found.result;
 

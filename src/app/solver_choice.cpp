@@ -30,6 +30,14 @@ std::unique_ptr<LinearSolver> named(const std::string& name, Model model) {
   return conjugate_gradients(model);
 }
 
+/// A factor of a narrow strip has hardly more entries than its matrix. Iterations are inexact in just the slow motions
+/// across it that matter, for a residual does not see them next to the membrane (docs/folding.md).
+bool is_narrow(const ClothCase& cloth) {
+  constexpr int few = 4;  // cells
+  const auto* strip = std::get_if<RectangleShape>(&cloth.shape);
+  return strip != nullptr && std::min(strip->cells_warp, strip->cells_weft) <= few;
+}
+
 }  // namespace
 
 IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
@@ -78,18 +86,6 @@ PathOptions path_options(const Case& c, const CaseModel& model) {
   if (a.at_bifurcation == BifurcationKind::stop) o.at_bifurcation = AtBifurcation::stop;
   return o;
 }
-
-namespace {
-
-/// A factor of a narrow strip has hardly more entries than its matrix. Iterations are inexact in just the slow motions
-/// across it that matter, for a residual does not see them next to the membrane (docs/folding.md).
-bool is_narrow(const ClothCase& cloth) {
-  constexpr int few = 4;  // cells
-  const auto* strip = std::get_if<RectangleShape>(&cloth.shape);
-  return strip != nullptr && std::min(strip->cells_warp, strip->cells_weft) <= few;
-}
-
-}  // namespace
 
 std::unique_ptr<LinearSolver> dynamics_solver(const Case& c) {
   const auto& name = c.dynamics.linear_solver;

@@ -19,15 +19,13 @@ PlacedObstacle::PlacedObstacle(std::unique_ptr<const Obstacle> shape, const Rigi
 }
 
 Distance PlacedObstacle::distance(const Vector3& x) const {
-  const auto& [rotation, translation] = placement_;
-  const auto local = shape_->distance(rotation.transpose() * (x - translation));
-  return {local.gap, rotation * local.normal, rotation * local.curvature * rotation.transpose()};
+  return turned(shape_->distance(placement_.inverse(x)), placement_.rotation);
 }
 
 Eigen::AlignedBox3d PlacedObstacle::bounds() const {
   const auto local = shape_->bounds();
   if (!local.sizes().allFinite()) return local;  // a plane reaches everywhere, however it is turned
-  const Vector3 centre = placement_.rotation * local.center() + placement_.translation;
+  const Vector3 centre = placement_(local.center());
   const Vector3 half = 0.5 * (placement_.rotation.cwiseAbs() * local.sizes());
   return {centre - half, centre + half};
 }

@@ -7,17 +7,12 @@
 namespace sundrape {
 namespace {
 
-/// [w]× x = w × x
-Matrix3 cross_product(const Vector3& w) {
-  Matrix3 m;
-  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return m;
-}
+Vector3 along_surface(const Vector3& v, const Vector3& normal) { return v - v.dot(normal) * normal; }
 
+/// Of a body that stands at a place from a point as seen from there.
 Distance distance_to(const ContactBody& body, const RigidPlacement& at, const Vector3& seen) {
-  auto d = body.obstacle->distance(seen);
-  if (!body.course) return d;
-  return {d.gap, at.rotation * d.normal, at.rotation * d.curvature * at.rotation.transpose()};
+  const auto d = body.obstacle->distance(seen);
+  return body.course ? turned(d, at.rotation) : d;
 }
 
 }  // namespace
@@ -68,9 +63,12 @@ void ObstacleContact::visit_pairs(const State& state, Visit&& visit) const {
   }
 }
 
+Vector3 ObstacleContact::relative(const Pair& pair, const State& state) const {
+  return points_[pair.point].position(state.v) - pair.motion(pair.position);
+}
+
 Vector3 ObstacleContact::sliding(const Pair& pair, const State& state) const {
-  const Vector3 v = points_[pair.point].position(state.v) - pair.motion(pair.position);
-  return v - v.dot(pair.normal) * pair.normal;
+  return along_surface(relative(pair, state), pair.normal);
 }
 
 Vector3 ObstacleContact::friction(const Pair& pair, const State& state) const {
@@ -85,7 +83,7 @@ Matrix3 ObstacleContact::friction_tangent(const Pair& pair, const State& state, 
   const auto& [gap, gradient, curvature] = pair.distance;
   const auto& n = pair.normal;
   const double largest = bodies_[pair.body].friction * pair.push;
-  const Vector3 v = sliding(pair, state);
+  const Vector3 relative = this->relative(pair, state), v = along_surface(relative, n);
   const double s = v.norm(), over_speed = friction_law_.over_speed(s);
   const Matrix3 along = Matrix3::Identity() - n * n.transpose();
   Matrix3 by_sliding = -largest * over_speed * Matrix3::Identity();  // ∂f/∂v
@@ -94,9 +92,8 @@ Matrix3 ObstacleContact::friction_tangent(const Pair& pair, const State& state, 
   const Matrix3 tangent = dv * by_sliding * along;
   if (!whole) return tangent;
   // ∂v/∂x, since the surface turns below the point and may move itself
-  const Vector3 relative = points_[pair.point].position(state.v) - pair.motion(pair.position);
   const Matrix3 turn =
-      -along * cross_product(pair.motion.spin) - n.dot(relative) * curvature - n * (curvature * relative).transpose();
+      -along * cross_matrix(pair.motion.spin) - n.dot(relative) * curvature - n * (curvature * relative).transpose();
   const double by_gap = bodies_[pair.body].friction * points_[pair.point].area * law_.slope(gap) * over_speed;
   return tangent + dq * (by_gap * v * gradient.transpose() + by_sliding * turn);
 }

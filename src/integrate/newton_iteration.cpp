@@ -38,17 +38,14 @@ int NewtonIteration::test(SUNNonlinearSolver solver, N_Vector /*iterate*/, N_Vec
   const double size = N_VWrmsNorm(correction, weights);
   me.rate_ = iteration > 0 ? std::max(least_rate_change * me.rate_, size / me.previous_) : 1.0;
   const double expected = std::min(1.0, me.rate_);
+  bool near = true;
   if (me.doubtful_ && size > negligible * tolerance) {
     // a linear iteration ends size · rate/(1 − rate) away, which its first correction cannot tell
     const double rate = iteration > 0 ? size / me.previous_ : 1.0;
-    const bool near = rate < 1 && size * rate / (1 - rate) <= tolerance;
-    if (!near) {
-      if (iteration > 0 && size > divergence * me.previous_) return SUN_NLS_CONV_RECVR;
-      me.previous_ = size;
-      return SUN_NLS_CONTINUE;
-    }
+    near = rate < 1 && size * rate / (1 - rate) <= tolerance;
   }
-  if (size * expected <= tolerance && largest_move(correction, weights) * expected <= largest) return SUN_NLS_SUCCESS;
+  if (near && size * expected <= tolerance && largest_move(correction, weights) * expected <= largest)
+    return SUN_NLS_SUCCESS;
   if (iteration > 0 && size > divergence * me.previous_) return SUN_NLS_CONV_RECVR;
   me.previous_ = size;
   return SUN_NLS_CONTINUE;

@@ -57,6 +57,13 @@ class OutOfBalance {
 
 }  // namespace
 
+RelaxationResult after(const RelaxationResult& first, RelaxationResult second) {
+  second.iterations += first.iterations;
+  second.factorizations += first.factorizations;
+  second.linear_iterations += first.linear_iterations;
+  return second;
+}
+
 double relative_residual(const System& system, const State& all, double force_scale) {
   const auto& unknowns = system.unknowns();
   const State still{all.time, all.q, Vector::Zero(all.v.size()), all.stage};

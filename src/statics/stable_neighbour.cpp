@@ -7,14 +7,6 @@ namespace {
 
 constexpr int most_pushes = 4;
 
-/// The result of a relaxation after another one, with the work of both.
-RelaxationResult after(const RelaxationResult& first, RelaxationResult second) {
-  second.iterations += first.iterations;
-  second.factorizations += first.factorizations;
-  second.linear_iterations += first.linear_iterations;
-  return second;
-}
-
 }  // namespace
 
 StableNeighbour relax_to_stable_neighbour(const System& system, LinearSolver& solver, const RelaxationOptions& options,

@@ -1,7 +1,6 @@
 #include "sundrape/force/obstacle_mesh.hpp"
 
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -9,25 +8,13 @@
 #include "sundrape/force/obstacle_contact.hpp"
 
 #include "support/force_term_checks.hpp"
+#include "support/random_points.hpp"
 #include "support/triangle_meshes.hpp"
 
 namespace sundrape {
 namespace {
 
 constexpr double mm = 1e-3, um = 1e-6;
-
-class Points {
- public:
-  explicit Points(unsigned seed) : bits_(seed) {}
-  Vector3 in_cube(double half) { return half * Vector3(uniform(), uniform(), uniform()); }
-  Vector3 direction() { return Vector3(normal_(bits_), normal_(bits_), normal_(bits_)).normalized(); }
-
- private:
-  double uniform() { return uniform_(bits_); }
-  std::mt19937_64 bits_;
-  std::uniform_real_distribution<double> uniform_{-1, 1};
-  std::normal_distribution<double> normal_;
-};
 
 void expect_exact_derivatives(const Obstacle& body, const Vector3& x) {
   constexpr double step = um;
@@ -47,7 +34,7 @@ TEST(MeshObstacle, BallIsTheExactOneToItsFacetsAndVoxels) {
   for (const double h : {1 * mm, 2 * mm}) {
     const MeshObstacle ball(mesh, h);
     const double smoothing = h * h / (3 * radius);  // 17 and 67 µm
-    Points points(1);
+    samples::RandomPoints points(1);
     for (int i = 0; i < 2000; ++i) {
       const Vector3 outwards = points.direction();
       const auto d = ball.distance(radius * outwards);
@@ -72,7 +59,7 @@ TEST(MeshObstacle, BoxHasFlatFacesWhereTheMeshHasThemAndRoundEdges) {
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0})
       for (const double height : {-3 * mm, -0.02 * mm, 0.0, 0.02 * mm, 1.9 * mm}) {
-        Points points(3);
+        samples::RandomPoints points(3);
         for (int i = 0; i < 50; ++i) {
           // the spline looks two voxels aside and two deep, and edges are nearer than the face beyond their bisectors
           Vector3 x = (half.array() - 4 * h - std::max(0.0, -height)).matrix().cwiseProduct(points.in_cube(1));
@@ -98,7 +85,7 @@ TEST(MeshObstacle, NothingSticksOutOfTheBoxAround) {
   const MeshObstacle box(box_mesh(2 * half), 1 * mm);
   EXPECT_TRUE(box.bounds().max().isApprox(half));
   const BoxObstacle sharp(2 * half, 0);
-  Points points(4);
+  samples::RandomPoints points(4);
   for (int i = 0; i < 20000; ++i) {
     const Vector3 x = points.in_cube(12 * mm);
     const Vector3 beyond = x.cwiseAbs() - half;
@@ -116,7 +103,7 @@ TEST(MeshObstacle, RingHasAHoleAndBendsBothWays) {
   const double facets = 15 * um;
   const auto exact = [&](const Vector3& x) { return std::hypot(std::hypot(x.x(), x.y()) - radius, x.z()) - section; };
   EXPECT_NEAR(ring.distance({0, 0, 0}).gap, 6 * h, 1e-15);  // the band
-  Points points(5);
+  samples::RandomPoints points(5);
   int checked = 0;
   for (int i = 0; i < 4000; ++i) {
     const Vector3 x = points.in_cube(30 * mm);
@@ -130,7 +117,7 @@ TEST(MeshObstacle, RingHasAHoleAndBendsBothWays) {
 }
 
 TEST(MeshObstacle, NormalIsTheGradientAndCurvatureTheHessianEverywhere) {
-  Points points(6);
+  samples::RandomPoints points(6);
   for (const auto& mesh : {box_mesh({20 * mm, 16 * mm, 12.6 * mm}), torus_mesh(12 * mm, 5 * mm, 24, 12)}) {
     const MeshObstacle body(mesh, 1 * mm);
     for (int i = 0; i < 500; ++i) expect_exact_derivatives(body, points.in_cube(20 * mm));
@@ -141,7 +128,7 @@ TEST(MeshObstacle, ContactWithItConservesEnergyAndHasAnExactTangent) {
   constexpr double smoothing = 0.3 * mm;
   const auto body = std::make_shared<MeshObstacle>(box_mesh({20 * mm, 16 * mm, 12.6 * mm}), 1 * mm);
   std::vector<Vector3> nodes;
-  Points points(7);
+  samples::RandomPoints points(7);
   while (nodes.size() < 40) {
     const Vector3 x = points.in_cube(11 * mm);
     if (std::abs(body->distance(x).gap) < smoothing) nodes.push_back(x);
@@ -154,7 +141,7 @@ TEST(MeshObstacle, DeepInsideIsDownToTheMedialAxisAndFarOutsideIsTheBand) {
   constexpr double radius = 20 * mm;
   for (const auto& mesh : {ball_mesh(radius, 4), turned_over(ball_mesh(radius, 4))}) {
     const MeshObstacle ball(mesh, 1 * mm, 6 * mm);
-    Points points(8);
+    samples::RandomPoints points(8);
     for (int i = 0; i < 300; ++i) {
       const Vector3 outwards = points.direction();
       for (const double depth : {2 * mm, 7 * mm, 12 * mm, 16 * mm}) {
@@ -188,7 +175,7 @@ TEST(MeshObstacle, BodiesThatOverlapAreOne) {
 
 TEST(MeshObstacle, MirroredBodiesHaveMirroredFields) {
   const MeshObstacle body(box_mesh({20 * mm, 16 * mm, 12.6 * mm}), 0.93 * mm);
-  Points points(9);
+  samples::RandomPoints points(9);
   for (int i = 0; i < 300; ++i) {
     const Vector3 x = points.in_cube(11 * mm), mirrored = x.cwiseProduct(Vector3(-1, 1, -1));
     EXPECT_NEAR(body.distance(x).gap, body.distance(mirrored).gap, 1e-15);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -14,6 +13,8 @@
 #include "sundrape/force/obstacle_pedestal.hpp"
 #include "sundrape/force/obstacle_plane.hpp"
 #include "sundrape/force/obstacle_sphere.hpp"
+
+#include "support/random_points.hpp"
 
 namespace sundrape {
 namespace {
@@ -59,21 +60,8 @@ std::vector<Specimen> specimens() {
   };
 }
 
-class Points {
- public:
-  explicit Points(unsigned seed) : bits_(seed) {}
-  Vector3 in_cube(double half) { return half * Vector3(uniform(), uniform(), uniform()); }
-  Vector3 direction() { return Vector3(normal_(bits_), normal_(bits_), normal_(bits_)).normalized(); }
-
- private:
-  double uniform() { return uniform_(bits_); }
-  std::mt19937_64 bits_;
-  std::uniform_real_distribution<double> uniform_{-1, 1};
-  std::normal_distribution<double> normal_;
-};
-
 /// Maximum of u·x − h(u): the best of many directions, refined by ever smaller random steps; good to 1e-6 m here.
-double distance_by_search(const Specimen& specimen, const Vector3& x, Points& points) {
+double distance_by_search(const Specimen& specimen, const Vector3& x, samples::RandomPoints& points) {
   const auto value = [&](const Vector3& u) { return u.dot(x) - specimen.support(u); };
   Vector3 best = Vector3::UnitX();
   const auto try_direction = [&](const Vector3& u) {
@@ -90,7 +78,7 @@ double distance_by_search(const Specimen& specimen, const Vector3& x, Points& po
 }
 
 TEST(Obstacles, DistanceIsExactOutsideAndInside) {
-  Points points(3);
+  samples::RandomPoints points(3);
   for (const auto& specimen : specimens())
     for (int i = 0; i < 60; ++i) {
       const Vector3 x = points.in_cube(0.12);
@@ -100,7 +88,7 @@ TEST(Obstacles, DistanceIsExactOutsideAndInside) {
 
 TEST(Obstacles, NormalIsTheGradientAndCurvatureTheHessian) {
   constexpr double step = 1e-6;
-  Points points(5);
+  samples::RandomPoints points(5);
   for (const auto& specimen : specimens()) {
     int checked = 0;
     for (int i = 0; i < 400; ++i) {

@@ -14,6 +14,11 @@ struct Distance {
   Matrix3 curvature;  // ∇∇gap [1/m], symmetric; a normal of unit length is in its null space
 };
 
+/// A distance as seen after a rotation of body and point.
+[[nodiscard]] inline Distance turned(const Distance& d, const Matrix3& rotation) {
+  return {d.gap, rotation * d.normal, rotation * d.curvature * rotation.transpose()};
+}
+
 /// A rigid body that cloth can touch.
 ///
 /// Outside, the distance is the Euclidean distance to the surface, and so it is inside down to the medial axis; on the

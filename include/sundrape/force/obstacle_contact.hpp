@@ -72,6 +72,7 @@ class ObstacleContact final : public ForceTerm {
   /// The surface with the smallest gap over all obstacles, where these are at the state's time.
   [[nodiscard]] ClosestSurface closest(const State& when, const Vector3& x) const;
   [[nodiscard]] std::size_t bodies() const { return bodies_.size(); }
+  [[nodiscard]] bool moves(std::size_t body) const { return bodies_[body].course.has_value(); }
   /// How far an obstacle has been carried from where it stood at the start.
   [[nodiscard]] RigidPlacement carried(std::size_t body, const State& when) const;
 
@@ -88,7 +89,8 @@ class ObstacleContact final : public ForceTerm {
 
   template <class Visit>
   void visit_pairs(const State& state, Visit&& visit) const;
-  /// Velocity of a pair's point along the body's surface [m/s].
+  /// Velocity of a pair's point as seen from the body [m/s], and of that what is along the body's surface.
+  [[nodiscard]] Vector3 relative(const Pair& pair, const State& state) const;
   [[nodiscard]] Vector3 sliding(const Pair& pair, const State& state) const;
   [[nodiscard]] Vector3 friction(const Pair& pair, const State& state) const;
   [[nodiscard]] Matrix3 friction_tangent(const Pair& pair, const State& state, double dq, double dv, bool whole) const;

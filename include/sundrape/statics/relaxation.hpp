@@ -29,6 +29,7 @@ struct RelaxationStep {
   double time = 0, step_size = 0;  // of the fictitious motion [s]
   double residual = 0;             // |out-of-balance force| / |external force|
   double kinetic = 0;              // [J]
+  double load_factor = 0;          // at which loads, supports and obstacles stand
   int refused = 0;                 // tries that this step took beyond the first
 };
 
@@ -61,6 +62,9 @@ struct RelaxationResult {
   double residual = 0;
   std::string diagnosis;  // why it stalled and what to try
 };
+
+/// The result of a relaxation that went on where another one ended: its end, and the counts of both.
+[[nodiscard]] RelaxationResult after(const RelaxationResult& first, RelaxationResult second);
 
 /// Finds an equilibrium by damped motion whose steps grow until they are Newton's.
 ///
