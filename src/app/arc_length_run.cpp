@@ -15,7 +15,6 @@ namespace {
 /// What the supports and the loads without gravity do on the way from one equilibrium to the next, by the mean of their
 /// forces at both.
 double work_between(const System& system, const State& before, const State& after) {
-  const auto& unknowns = system.unknowns();
   const Vector way = after.q - before.q;
   double work = 0;
   for (const auto& all : {before, after}) {
@@ -23,10 +22,7 @@ double work_between(const System& system, const State& before, const State& afte
     for (const auto& term : system.terms())
       if (term->is_external() && term->kind() != EnergyKind::gravity) term->add_force(all, loads);
     system.force(all, forces);
-    work += 0.5 * loads.dot(way);
-    for (int p = 0; p < unknowns.points(); ++p)
-      for (int k = 0; k < 3; ++k)
-        if (unknowns.is_held(p, k)) work -= 0.5 * (forces[3 * p + k]) * way[3 * p + k];
+    work += 0.5 * (loads.dot(way) - system.unknowns().held_dot(forces, way));
   }
   return work;
 }

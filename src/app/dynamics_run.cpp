@@ -8,6 +8,7 @@
 #include "sundrape/app/rest_watch.hpp"
 #include "sundrape/app/solver_choice.hpp"
 #include "sundrape/app/stop_request.hpp"
+#include "sundrape/app/support_schedule.hpp"
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/integrate/impact.hpp"
 #include "sundrape/integrate/stability_limit.hpp"
@@ -71,9 +72,11 @@ std::vector<double> as_list(const IntegratorStatistics& s) {
 
 class Watch final : public DynamicsObserver {
  public:
-  Watch(const Case& c, const CaseModel& model, const Integrator& integrator, Recorder& recorder, Progress& progress)
+  Watch(const Case& c, const CaseModel& model, const Integrator& integrator, const SupportSchedule& schedule,
+        Recorder& recorder, Progress& progress)
       : case_(c),
         integrator_(integrator),
+        schedule_(schedule),
         recorder_(recorder),
         progress_(progress),
         mishaps_(c, model),
@@ -126,7 +129,7 @@ class Watch final : public DynamicsObserver {
   void checkpoint() {
     const auto at = dynamics_->last();
     recorder_.checkpoint(at, dynamics_->audit().at(at), dynamics_->audit().initial_energy(), last_step_size_,
-                         as_list(since_the_start(integrator_.statistics(), recorder_.restart())));
+                         as_list(since_the_start(integrator_.statistics(), recorder_.restart())), schedule_.progress());
     checkpoint_written_ = true;
     last_checkpoint_ = Clock::now();
   }
@@ -140,6 +143,7 @@ class Watch final : public DynamicsObserver {
  private:
   const Case& case_;
   const Integrator& integrator_;
+  const SupportSchedule& schedule_;
   Recorder& recorder_;
   Progress& progress_;
   Dynamics* dynamics_ = nullptr;
@@ -182,8 +186,9 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     impact = std::make_unique<Impact>(*model.contact, model.system->mass().head(model.mesh.nodes()),
                                       *c.contact.restitution, c.contact.restitution_speed);
   const auto integrator = make_integrator(c, model, impact.get(), recorder, progress);
-  Watch watch(c, model, *integrator, recorder, progress);
-  Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get());
+  SupportSchedule schedule(c, model);
+  Watch watch(c, model, *integrator, schedule, recorder, progress);
+  Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get(), &schedule);
   watch.attach(dynamics);
 
   AnalysisEnd end;
@@ -192,6 +197,7 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     DynamicsEnd how = DynamicsEnd::reached;
     if (const auto& restart = recorder.restart()) {
       progress.say(fmt::format("resuming at t = {:.6g} s after {} frames", restart->time, recorder.frames()));
+      schedule.resume(restart->schedule, {restart->time, restart->q, restart->v});
       dynamics.carry_over(restart->balance, restart->initial_energy);
       how = dynamics.run(restart->time, restart->q, restart->v, false);
     } else {

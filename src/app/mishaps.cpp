@@ -13,11 +13,8 @@ std::string place_of(ConstVectorRef x) { return fmt::format("({:.4g}, {:.4g}, {:
 
 Mishaps::Mishaps(const Case& c, const CaseModel& model) : case_(c), model_(model) {
   if (!c.moves() || model.contact == nullptr) return;
-  const auto& unknowns = model.system->unknowns();
   const State start{0, model.initial, model.initial};
-  for (int n = 0; n < model.mesh.nodes(); ++n)
-    if (unknowns.is_held(n, 0) && unknowns.is_held(n, 1) && unknowns.is_held(n, 2))
-      held_.push_back({n, model.contact->closest(start, point(start.q, n)).gap});
+  for (int n = 0; n < model.mesh.nodes(); ++n) gaps_.push_back(model.contact->closest(start, point(start.q, n)).gap);
 }
 
 std::optional<std::string> Mishaps::at(const State& all) const {
@@ -37,15 +34,14 @@ std::optional<std::string> Mishaps::tear(const State& all) const {
 
 std::optional<std::string> Mishaps::collision(const State& all) const {
   const double deepest = case_.fabric.thickness;
-  for (const auto& [node, gap_at_start] : held_) {
-    const auto& unknowns = model_.system->unknowns();
-    if (!(unknowns.is_held(node, 0) && unknowns.is_held(node, 1) && unknowns.is_held(node, 2))) continue;
+  for (std::size_t n = 0; n < gaps_.size(); ++n) {
+    const int node = static_cast<int>(n);
+    if (!model_.system->unknowns().is_held(node)) continue;
     const auto surface = model_.contact->closest(all, point(all.q, node));
-    if (surface.gap > std::min(gap_at_start, 0.0) - deepest) continue;
+    if (surface.gap > std::min(gaps_[n], 0.0) - deepest) continue;
     return fmt::format(
-        "obstacle '{}' and held cloth run into each other: node {} at {} is {:.3g} mm inside; change the path of one "
-        "of "
-        "them, or release the cloth before",
+        "obstacle '{}' and held cloth run into each other: node {} at {} is {:.3g} mm inside; change the path of "
+        "one of them, or release the cloth before",
         model_.obstacles[surface.body].name, node, place_of(point(all.q, node)), -1e3 * surface.gap);
   }
   return std::nullopt;

@@ -63,46 +63,78 @@ std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std:
   return nodes;
 }
 
-/// Holds the nodes that motions carry, and says along which paths.
-std::vector<PrescribedMotion> carry(const Case& c, CaseModel& model, const std::vector<Vector3>& placed,
-                                    Supports& supports) {
-  std::vector<PrescribedMotion> motions;
-  for (const auto& motion : c.motions) {
-    auto nodes = pick(motion.nodes, model.mesh, placed, motion.source);
-    for (const int node : nodes)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (motion.components[k]) supports.position[static_cast<std::size_t>(node)][k] = true;
-    PrescribedMotion carried{nodes, motion.components, course_of(motion.course)};
-    if (motion.rotation)
-      for (const int node : nodes) {
-        supports.clamped[static_cast<std::size_t>(node)] = true;
-        supports.director[static_cast<std::size_t>(node)] = {true, true, true};
-        if (c.model == Model::shell) carried.directions.push_back(model.mesh.nodes() + node);
-      }
-    motions.push_back(std::move(carried));
-    model.reactions.push_back({motion.name, std::move(nodes)});
+/// What holds the sheet, from when to when, and along which paths what moves is carried.
+class SupportBuilder {
+ public:
+  SupportBuilder(const Case& c, CaseModel& model, const std::vector<Vector3>& placed)
+      : case_(c), model_(model), placed_(placed), start_(placed.size()), lasting_(placed.size()) {
+    for (const auto& fix : c.fixes)
+      add({fix.name, fix.nodes, fix.grip, fix.source}, {fix.components, fix.rotation, fix.director}, std::nullopt);
+    for (const auto& motion : c.motions)
+      add({motion.name, motion.nodes, motion.grip, motion.source},
+          {motion.components, motion.rotation, rotated(motion.rotation)},
+          PrescribedMotion{{}, motion.components, course_of(motion.course)});
   }
-  return motions;
-}
 
-Supports support(const Case& c, CaseModel& model, const std::vector<Vector3>& placed) {
-  const auto n = placed.size();
-  Supports s{std::vector<Unknowns::Held>(n, Unknowns::Held{}), std::vector<Unknowns::Held>(n, Unknowns::Held{}),
-             std::vector<bool>(n, false)};
-  for (const auto& fix : c.fixes) {
-    auto nodes = pick(fix.nodes, model.mesh, placed, fix.source);
+  [[nodiscard]] const Supports& at_the_start() const { return start_; }
+  /// Without those that let go.
+  [[nodiscard]] const Supports& lasting() const { return lasting_; }
+  /// Of what is not held for good, no points yet.
+  [[nodiscard]] const std::vector<PrescribedMotion>& motions() const { return motions_; }
+
+ private:
+  struct Which {
+    const std::string& name;
+    const Selector& nodes;
+    const GripCase& grip;
+    const SourceLine& source;
+  };
+  struct What {
+    Unknowns::Held position;
+    bool clamps;
+    Unknowns::Held director;
+  };
+  static Unknowns::Held rotated(bool rotation) { return {rotation, rotation, rotation}; }
+
+  void add(const Which& which, const What& what, std::optional<PrescribedMotion> motion) {
+    const auto& [name, selector, grip, source] = which;
+    const bool at_start = !grip.from.has_value(), lasts = at_start && !grip.until;
+    // whoever takes hold later finds its nodes then, but a set that the mesh does not have is an error now
+    auto nodes = at_start || std::holds_alternative<NamedSet>(selector) ? pick(selector, model_.mesh, placed_, source)
+                                                                        : std::vector<int>{};
+    if (at_start) hold(start_, nodes, what);
+    if (lasts) hold(lasting_, nodes, what);
+    CaseModel::ReactionSet reaction{name, lasts ? nodes : std::vector<int>{}};
+    if (!lasts) {
+      reaction.motion = motions_.size();
+      model_.grippers.push_back({name, selector, grip, what.clamps, motions_.size()});
+      if (!motion) motion = PrescribedMotion{{}, what.position, {LinePath{Vector3::Zero()}}};
+    } else if (motion) {
+      motion->points = nodes;
+      if (what.clamps && case_.model == Model::shell)
+        for (const int n : nodes) motion->directions.push_back(model_.mesh.nodes() + n);
+    }
+    if (motion) motions_.push_back(std::move(*motion));
+    model_.reactions.push_back(std::move(reaction));
+  }
+
+  static void hold(Supports& supports, const std::vector<int>& nodes, const What& what) {
     for (const int node : nodes) {
       const auto i = static_cast<std::size_t>(node);
       for (std::size_t k = 0; k < 3; ++k) {
-        s.position[i][k] = s.position[i][k] || fix.components[k];
-        s.director[i][k] = s.director[i][k] || fix.director[k];
+        supports.position[i][k] |= what.position[k];
+        supports.director[i][k] |= what.director[k];
       }
-      if (fix.rotation) s.clamped[i] = true;
+      if (what.clamps) supports.clamped[i] = true;
     }
-    model.reactions.push_back({fix.name, std::move(nodes)});
   }
-  return s;
-}
+
+  const Case& case_;
+  CaseModel& model_;
+  const std::vector<Vector3>& placed_;
+  Supports start_, lasting_;
+  std::vector<PrescribedMotion> motions_;
+};
 
 /// Shares a total over nodes as dead nodal forces.
 Vector equal_shares(const std::vector<int>& nodes, const Vector3& total, int points) {
@@ -240,7 +272,7 @@ Sheet make_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, co
                  const Supports& supports) {
   if (c.model == Model::particle) return net_sheet(c, mesh, threads, placed, supports);
   try {
-    return shell_sheet(c, mesh, supports);
+    return shell_sheet(c, mesh);
   } catch (const std::invalid_argument& problem) {
     const auto* file = std::get_if<MeshShape>(&c.cloth.shape);
     throw CaseError(file ? file->source : SourceLine{}, problem.what());
@@ -264,6 +296,13 @@ std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place)
   return placed;
 }
 
+std::vector<int> CaseModel::turned_points(const Gripper& gripper, const std::vector<int>& nodes) const {
+  std::vector<int> points;
+  if (gripper.turns && has_directors())
+    for (const int n : nodes) points.push_back(mesh.nodes() + n);
+  return points;
+}
+
 Vector CaseModel::directors_of(const ConstVectorRef& all) const {
   if (!has_directors()) return {};
   return all.tail(3 * static_cast<Eigen::Index>(mesh.nodes())) / director_length;
@@ -283,8 +322,8 @@ CaseModel build_model(const Case& c) {
   model.placement = placement(c.cloth.place);
   const auto placed = place(model.mesh.reference, c.cloth.place);
   const auto threads = find_threads(model.mesh);
-  auto supports = support(c, model, placed);
-  auto motions = carry(c, model, placed, supports);
+  const SupportBuilder built(c, model, placed);
+  const auto& supports = built.at_the_start();
   for (const auto& probe : c.output.probes)
     model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
 
@@ -295,8 +334,9 @@ CaseModel build_model(const Case& c) {
   for (const auto& term : sheet.terms) {
     if (const auto* bends = dynamic_cast<const BendSprings*>(term.get())) model.bends.push_back(bends);
     if (auto* clamps = dynamic_cast<ClampSprings*>(term.get())) {
-      for (std::size_t m = 0; m < motions.size(); ++m)
-        if (c.motions[m].rotation) clamps->turn_with(motions[m].points, motions[m].course);
+      for (const auto& motion : c.motions)
+        if (motion.rotation && !motion.grip.from)
+          clamps->turn_with(pick(motion.nodes, model.mesh, placed, motion.source), course_of(motion.course));
       model.clamps.push_back(clamps);
     }
     if (const auto* directors = dynamic_cast<const DirectorLength*>(term.get())) model.directors = directors;
@@ -328,7 +368,7 @@ CaseModel build_model(const Case& c) {
     }
   }
   model.initial = flatten(points);
-  Unknowns unknowns(sheet.held, sheet.order);
+  Unknowns unknowns(built.lasting().of_points(model.has_directors()), sheet.order);
   if (unknowns.rows() == 0)
     throw CaseError(c.fixes.empty() ? c.motions.front().source : c.fixes.front().source,
                     "every node of the cloth is held: nothing is left to move");
@@ -339,7 +379,13 @@ CaseModel build_model(const Case& c) {
         model.rate_slack[r] = director_rate_slack;
   }
   model.system = std::make_unique<System>(std::move(sheet.mass), std::move(sheet.terms), std::move(unknowns),
-                                          model.initial, std::move(motions));
+                                          model.initial, built.motions());
+  const Vector still = Vector::Zero(model.initial.size());
+  for (const auto& gripper : model.grippers)
+    if (!gripper.grip.from) {
+      const auto nodes = select(gripper.nodes, model.mesh, placed);
+      model.system->take_hold(gripper.motion, nodes, model.turned_points(gripper, nodes), {0, model.initial, still});
+    }
   return model;
 }
 

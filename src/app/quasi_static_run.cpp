@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "sundrape/app/analyses.hpp"
@@ -11,6 +13,23 @@
 namespace sundrape {
 namespace {
 
+/// How far obstacles between two times carry what is where the nodes of the cloth are [m].
+double way_of_obstacles(const CaseModel& model, const Vector& q, double from, double to) {
+  if (model.contact == nullptr) return 0;
+  const Vector nothing;
+  const auto at = [&](double time) { return State{time, nothing, nothing, statics_by_time}; };
+  double most = 0;
+  for (std::size_t b = 0; b < model.contact->bodies(); ++b) {
+    if (!model.contact->moves(b)) continue;
+    const auto before = model.contact->carried(b, at(from)), after = model.contact->carried(b, at(to));
+    for (int n = 0; n < model.mesh.nodes(); ++n) {
+      const Vector3 x = point(q, n);
+      most = std::max(most, (after(before.inverse(x)) - x).norm());
+    }
+  }
+  return most;
+}
+
 /// Follows supports and obstacles from one chosen time to the next; each equilibrium there is a frame, a step and a
 /// checkpoint.
 class QuasiStaticRun final : public RelaxationObserver {
@@ -23,7 +42,10 @@ class QuasiStaticRun final : public RelaxationObserver {
         mishaps_(c, model),
         stop_(c.relaxation.time_limit),
         solver_(statics_solver(c, *model.system)),
-        options_{.relaxation = relaxation_options(c, model), .neutral_frequency = neutral_frequency(model)},
+        options_{.relaxation = relaxation_options(c, model),
+                 .neutral_frequency = neutral_frequency(model),
+                 .way_of_obstacles = [&model](const Vector& q, double from,
+                                              double to) { return way_of_obstacles(model, q, from, to); }},
         q_(model.initial),
         still_(Vector::Zero(q_.size())) {}
 
@@ -49,7 +71,7 @@ class QuasiStaticRun final : public RelaxationObserver {
   }
 
   void step(const State& all, const RelaxationStep& step) override {
-    if (!mishap_) mishap_ = mishaps_.at({time_, all.q, still_, statics_by_time});
+    if (!mishap_) mishap_ = mishaps_.at({step.load_factor, all.q, still_, statics_by_time});
     if (progress_.due())
       progress_.show(fmt::format("supports at t = {:.4f} s: iteration {}, residual {:.2e}, step {:.2e} s", time_,
                                  iterations_ + step.iteration, step.residual, step.step_size),
@@ -83,13 +105,19 @@ class QuasiStaticRun final : public RelaxationObserver {
     return {ResultStatus::failed, fmt::format("{}: {}", where, found.relaxation.diagnosis)};
   }
 
+  /// The first equilibrium is looked for where supports and obstacles set out.
   FollowResult to(double time, bool first) {
-    if (!first) return follow_supports(*model_.system, *solver_, options_, time_, time, q_, *this);
-    auto options = options_.relaxation;
-    options.load_factor = time;
-    options.stage = statics_by_time;
-    model_.system->carry(time, statics_by_time, q_);
-    return {relax(*model_.system, *solver_, options, q_, *this), time};
+    RelaxationResult start;
+    if (first) {
+      auto options = options_.relaxation;
+      options.load_factor = time_;
+      options.stage = statics_by_time;
+      start = relax(*model_.system, *solver_, options, q_, *this);
+      if (time == time_ || start.end != RelaxationEnd::converged) return {start, time_};
+    }
+    auto found = follow_supports(*model_.system, *solver_, options_, time_, time, q_, *this);
+    found.relaxation = after(start, found.relaxation);
+    return found;
   }
 
   std::optional<int> fall(FollowResult& found) {
@@ -98,11 +126,7 @@ class QuasiStaticRun final : public RelaxationObserver {
     options.stage = statics_by_time;
     const auto fallen = relax_to_stable_neighbour(*model_.system, *solver_, options, push_of_unstable(model_),
                                                   neutral_frequency(model_), q_, *this);
-    found.relaxation.end = fallen.result.end;
-    found.relaxation.residual = fallen.result.residual;
-    found.relaxation.diagnosis = fallen.result.diagnosis;
-    found.relaxation.iterations += fallen.result.iterations;
-    found.relaxation.factorizations += fallen.result.factorizations;
+    found.relaxation = after(found.relaxation, fallen.result);
     return fallen.pivots;
   }
 

@@ -65,7 +65,9 @@ Recorder::Restart read_restart(const ResultReader& earlier, const std::filesyste
                       .totals = get("totals"),
                       .extremes = {},
                       .wall = times.at(0),
-                      .cpu = times.at(1)};
+                      .cpu = times.at(1),
+                      .schedule = {}};
+  if (const auto found = arrays.find("schedule"); found != arrays.end()) r.schedule = found->second;
   if (r.q.size() != size || r.v.size() != size)
     throw FileError(file.string() + ": its checkpoint belongs to another mesh");
   r.balance.dissipated = books.at(0);
@@ -189,7 +191,7 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
     if (header_.element_fields) f.elements = fields_of(readings);
   }
   for (const auto& set : model_.reactions) {
-    const auto [force, moment] = reaction(model_, all, set.nodes);
+    const auto [force, moment] = reaction(model_, all, model_.nodes_of(set));
     f.reactions.push_back(force);
     f.moments.push_back(moment);
   }
@@ -218,7 +220,7 @@ ContactReport Recorder::step(const State& all) {
 }
 
 void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy,
-                          double step_size, const std::vector<double>& totals) {
+                          double step_size, const std::vector<double>& totals, const std::vector<double>& schedule) {
   const auto& e = extremes_;
   Checkpoint c;
   c.arrays = {{"time", {all.time}},
@@ -230,6 +232,7 @@ void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance,
                {e.largest_edge_strain, e.smallest_edge_strain, e.deepest_penetration, e.sharpest_bend,
                 e.largest_membrane_strain}},
               {"run_seconds", {clock_.wall(), clock_.cpu()}}};
+  if (!schedule.empty()) c.arrays["schedule"] = schedule;
   writer_.write_checkpoint(c);
 }
 

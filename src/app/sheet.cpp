@@ -61,13 +61,12 @@ Sheet net_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, con
   Sheet sheet;
   sheet.mass = lumped_mass(mesh, c.fabric);
   sheet.terms = particle_net(mesh, threads, c.fabric, placed, supports.clamped);
-  sheet.held = supports.position;
-  sheet.order.resize(sheet.held.size());
+  sheet.order.resize(placed.size());
   std::iota(sheet.order.begin(), sheet.order.end(), 0);
   return sheet;
 }
 
-Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports) {
+Sheet shell_sheet(const Case& c, const QuadMesh& mesh) {
   const auto& fabric = c.fabric;
   const int n = mesh.nodes();
   Sheet sheet;
@@ -77,8 +76,6 @@ Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports)
   const Vector node_mass = lumped_mass(mesh, fabric);
   sheet.mass.resize(2 * n);
   sheet.mass << node_mass, director_inertia(c, sheet.director_length) * node_mass;
-  sheet.held = supports.position;
-  sheet.held.insert(sheet.held.end(), supports.director.begin(), supports.director.end());
   sheet.order = interleaved(n);
 
   const auto section = section_of(c);

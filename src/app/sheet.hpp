@@ -15,6 +15,15 @@ namespace sundrape {
 
 /// What holds the nodes of a sheet.
 struct Supports {
+  explicit Supports(std::size_t nodes) : position(nodes), director(nodes), clamped(nodes, false) {}
+
+  /// Of all points of the sheet.
+  [[nodiscard]] std::vector<Unknowns::Held> of_points(bool has_directors) const {
+    auto held = position;
+    if (has_directors) held.insert(held.end(), director.begin(), director.end());
+    return held;
+  }
+
   std::vector<Unknowns::Held> position, director;  // N; directors of a shell only
   std::vector<bool> clamped;                       // N: slopes of a particle net
 };
@@ -24,7 +33,6 @@ struct Supports {
 struct Sheet {
   std::vector<std::unique_ptr<ForceTerm>> terms;
   Vector mass;                        // P [kg]; of directors rotary inertia over ℓ², 0 where they have none
-  std::vector<Unknowns::Held> held;   // P
   std::vector<int> order;             // in which points become unknowns, P
   double director_length = 0;         // ℓ [m]; 0 of a particle net
   std::optional<ShellGauges> gauges;  // of a shell
@@ -36,7 +44,7 @@ struct Sheet {
 [[nodiscard]] Sheet net_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads,
                               const std::vector<Vector3>& placed, const Supports& supports);
 /// @throws std::invalid_argument  elements that are not convex
-[[nodiscard]] Sheet shell_sheet(const Case& c, const QuadMesh& mesh, const Supports& supports);
+[[nodiscard]] Sheet shell_sheet(const Case& c, const QuadMesh& mesh);
 
 /// A moment [N m] on nodes of a sheet, shared by tributary length of the boundary between them; of a shell equally
 /// where there is none.

@@ -33,6 +33,11 @@ void ClampSprings::turn_with(const std::vector<int>& nodes, const PathCourse& co
   courses_.push_back(course);
 }
 
+void ClampSprings::open(const std::vector<int>& nodes) {
+  for (auto& spring : springs_)
+    if (std::ranges::find(nodes, spring.node) != nodes.end()) spring.stiffness = 0;
+}
+
 ClampSprings::Turns ClampSprings::turns(const State& state) const {
   Turns turns;
   for (const auto& course : courses_) {

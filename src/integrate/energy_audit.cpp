@@ -1,5 +1,7 @@
 #include "sundrape/integrate/energy_audit.hpp"
 
+#include <cmath>
+
 namespace sundrape {
 EnergyAudit::EnergyAudit(const System& system, const State& all) : system_(system) {
   const auto e = system.energies(all);
@@ -21,13 +23,27 @@ void EnergyAudit::resume(const Balance& before, double initial_energy) {
   initial_energy_ = initial_energy;
 }
 
-void EnergyAudit::advance(const State& all, double impact_loss) {
+void EnergyAudit::close_step() {
   dissipated_ += (end_ - start_) * power_out_;
   fed_in_ += (end_ - start_) * power_in_;
-  impact_loss_ = impact_loss;
   start_ = end_;
-  end_ = all.time;
   power_out_ = power_in_ = 0;
+}
+
+void EnergyAudit::supports_changed(const State& all, double before) {
+  close_step();
+  const auto e = system_.energies(all);
+  const double lost = before - (e.total() - e.load);
+  (lost > 0 ? dissipated_ : fed_in_) += std::abs(lost);
+  power_in_now_ = power_in(all);
+  held_kinetic_ = system_.held_kinetic_energy(all);
+  q_ = all.q;
+}
+
+void EnergyAudit::advance(const State& all, double impact_loss) {
+  close_step();
+  impact_loss_ = impact_loss;
+  end_ = all.time;
   if (end_ > start_) {
     middle_ = 0.5 * (q_ + all.q);
     rate_ = (all.q - q_) / (end_ - start_);

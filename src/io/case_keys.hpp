@@ -30,5 +30,18 @@ inline Key vector3(std::string name, std::string unit, std::string doc) {
   return {.name = std::move(name), .unit = std::move(unit), .scalar = false, .entries = 3, .doc = std::move(doc)};
 }
 
+/// A mesh from a file, of kind "mesh", and its unit.
+inline Key mesh_file(std::string doc) {
+  return {.name = "file", .type = KeyType::file, .required = true, .kinds = {"mesh"}, .doc = std::move(doc)};
+}
+inline Key mesh_units() {
+  return {.name = "units",
+          .type = KeyType::unit,
+          .unit = "m",
+          .default_value = "\"m\"",
+          .kinds = {"mesh"},
+          .doc = "Unit of the file's coordinates."};
+}
+
 }  // namespace keys
 }  // namespace sundrape

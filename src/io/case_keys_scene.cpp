@@ -41,24 +41,20 @@ Key stages(const std::string& what) {
                              what)};
 }
 
-/// When a gripper closes and opens.
-std::vector<Key> grip_keys() {
-  return {
-      {.name = "grip",
-       .unit = "s",
-       .range = not_negative(),
-       .default_note = "from the start",
-       .available = false,
-       .doc =
-           "Dynamics: the nodes are free until then, and held from where they are. Nodes chosen by a place are those "
-           "that are there at that time."},
-      {.name = "release",
-       .unit = "s",
-       .range = positive(),
-       .default_note = "never",
-       .available = false,
-       .doc = "Dynamics: let go."},
-  };
+/// When a gripper closes and opens, after the keys of its section.
+std::vector<Key> with_grip(std::vector<Key> keys) {
+  keys.insert(
+      keys.end(),
+      {{.name = "grip",
+        .unit = "s",
+        .range = not_negative(),
+        .default_note = "from the start",
+        .doc = "Dynamics: the nodes are free until then, and held from where they are. Nodes chosen by a place are "
+               "those that are there at that time (`near`: the closest one within the mean length of an edge); if "
+               "there is none, the run stops. A path sets out then unless `start` says otherwise. Of a particle net "
+               "`rotation` has to be held from the start."},
+       {.name = "release", .unit = "s", .range = positive(), .default_note = "never", .doc = "Dynamics: let go."}});
+  return keys;
 }
 
 Section motion() {
@@ -68,24 +64,21 @@ Section motion() {
       .doc =
           "Nodes that are held and carried along a path: over time in dynamics, through equilibria at chosen times in "
           "relaxation, in stages with `analysis = \"arc-length\"`. Several motions of one node follow each other.",
-      .keys =
-          {
-              nodes(),
-              {.name = "components",
-               .type = KeyType::choices,
-               .choices = {"x", "y", "z", "rotation"},
-               .default_value = R"(["x", "y", "z"])",
-               .doc = "What follows the path; the others are free, or held by a `[[fix]]`. With `rotation` the gripped "
-                      "edge turns with the path, as in a jaw; without, it is a hinge."},
-              {.name = "path", .type = KeyType::table, .holds = "motion.path", .required = true, .doc = "Where to."},
-              stages("the path"),
-              {.name = "name",
-               .type = KeyType::name,
-               .default_note = "from the selector",
-               .doc = "Of its reaction in the result; no two alike."},
-              grip_keys()[0],
-              grip_keys()[1],
-          },
+      .keys = with_grip({
+          nodes(),
+          {.name = "components",
+           .type = KeyType::choices,
+           .choices = {"x", "y", "z", "rotation"},
+           .default_value = R"(["x", "y", "z"])",
+           .doc = "What follows the path; the others are free, or held by a `[[fix]]`. With `rotation` the gripped "
+                  "edge turns with the path, as in a jaw; without, it is a hinge."},
+          {.name = "path", .type = KeyType::table, .holds = "motion.path", .required = true, .doc = "Where to."},
+          stages("the path"),
+          {.name = "name",
+           .type = KeyType::name,
+           .default_note = "from the selector",
+           .doc = "Of its reaction in the result; no two alike."},
+      }),
   };
 }
 
@@ -164,24 +157,20 @@ Section fix() {
       .name = "fix",
       .heading = "`[[fix]]`",
       .doc = "Nodes held where they start. Supports that overlap add up.",
-      .keys =
-          {
-              nodes(),
-              {.name = "components",
-               .type = KeyType::choices,
-               .choices = {"x", "y", "z", "rotation", "director-x", "director-y", "director-z"},
-               .default_value = R"(["x", "y", "z", "rotation"])",
-               .doc =
-                   "What is held; `rotation` clamps the slope of a held edge, which is the whole director of a shell "
-                   "node. `director-x` and so on hold one component of it, as on planes of symmetry and at hinges; "
-                   "only with `model = \"shell\"`."},
-              {.name = "name",
-               .type = KeyType::name,
-               .default_note = "from the selector",
-               .doc = "Of its reaction in the result; no two alike."},
-              grip_keys()[0],
-              grip_keys()[1],
-          },
+      .keys = with_grip({
+          nodes(),
+          {.name = "components",
+           .type = KeyType::choices,
+           .choices = {"x", "y", "z", "rotation", "director-x", "director-y", "director-z"},
+           .default_value = R"(["x", "y", "z", "rotation"])",
+           .doc = "What is held; `rotation` clamps the slope of a held edge, which is the whole director of a shell "
+                  "node. `director-x` and so on hold one component of it, as on planes of symmetry and at hinges; "
+                  "only with `model = \"shell\"`."},
+          {.name = "name",
+           .type = KeyType::name,
+           .default_note = "from the selector",
+           .doc = "Of its reaction in the result; no two alike."},
+      }),
   };
 }
 
@@ -299,17 +288,8 @@ Section obstacle() {
                .default_value = "0",
                .kinds = {"box", "cylinder", "disc"},
                .doc = "Rounding of its edges."},
-              {.name = "file",
-               .type = KeyType::file,
-               .required = true,
-               .kinds = {"mesh"},
-               .doc = "A closed surface of triangles or polygons: OBJ, PLY or STL."},
-              {.name = "units",
-               .type = KeyType::unit,
-               .unit = "m",
-               .default_value = "\"m\"",
-               .kinds = {"mesh"},
-               .doc = "Unit of the file's coordinates."},
+              mesh_file("A closed surface of triangles or polygons: OBJ, PLY or STL."),
+              mesh_units(),
               {.name = "voxel",
                .unit = "m",
                .range = positive(),

@@ -61,8 +61,16 @@ GripCase resolve_grip(const CaseSection& section, Analysis analysis) {
   return grip;
 }
 
+void require_directors(const CaseSection& section, Model model) {
+  if (model == Model::particle)
+    section.fail(
+        "components",
+        "'rotation' with a `grip` needs model = \"shell\": the slope of a particle net's edge can only be held "
+        "from the start");
+}
+
 std::vector<MotionCase> resolve_motions(const std::vector<CaseSection>& sections, const std::vector<FixCase>& fixes,
-                                        Analysis analysis) {
+                                        Model model, Analysis analysis) {
   std::vector<MotionCase> motions;
   const auto taken = [&](const std::string& name) {
     return std::ranges::any_of(fixes, [&](const FixCase& fix) { return fix.name == name; }) ||
@@ -79,6 +87,7 @@ std::vector<MotionCase> resolve_motions(const std::vector<CaseSection>& sections
     motion.course = resolve_course(section.table("path"), analysis);
     motion.course.stages = section.series("stages");
     motion.grip = resolve_grip(section, analysis);
+    if (motion.grip.from && motion.rotation) require_directors(section, model);
     if (motion.grip.from && !section.table("path").has("start")) motion.course.start = *motion.grip.from;
     if (motion.course.start < motion.grip.from.value_or(0))
       section.table("path").fail("start", "is before the grip: a path starts when the nodes are held, or later");

@@ -16,7 +16,8 @@ void resolve_bending(const CaseSection& bending, Fabric& fabric);
 [[nodiscard]] PathCase resolve_course(const CaseSection& section, Analysis analysis);
 /// Names of motions are told from those of supports too.
 [[nodiscard]] std::vector<MotionCase> resolve_motions(const std::vector<CaseSection>& sections,
-                                                      const std::vector<FixCase>& fixes, Analysis analysis);
+                                                      const std::vector<FixCase>& fixes, Model model,
+                                                      Analysis analysis);
 /// What a selector is called where the case gives no name.
 [[nodiscard]] std::string name_of(const Selector& selector);
 [[nodiscard]] std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections);
@@ -34,6 +35,8 @@ void resolve_bending(const CaseSection& bending, Fabric& fabric);
 
 /// Grips and releases in time, which dynamics alone follows.
 [[nodiscard]] GripCase resolve_grip(const CaseSection& section, Analysis analysis);
+/// Refuses a grip in time that holds a slope where the model is a particle net.
+void require_directors(const CaseSection& section, Model model);
 /// What is left out where supports or obstacles move, and what cannot be with them.
 void resolve_moving_defaults(const CaseSection& top, Case& resolved);
 /// Refuses what only a shell has where the model is another.

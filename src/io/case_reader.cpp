@@ -50,7 +50,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.shell = resolve_shell(top.table("shell"));
   require_shell_model(top, resolved);
   resolved.fixes = resolve_fixes(top.tables("fix"), resolved.model, resolved.analysis);
-  resolved.motions = resolve_motions(top.tables("motion"), resolved.fixes, resolved.analysis);
+  resolved.motions = resolve_motions(top.tables("motion"), resolved.fixes, resolved.model, resolved.analysis);
   resolved.loads = resolve_loads(top.tables("load"));
   resolved.obstacles = resolve_obstacles(top.tables("obstacle"), resolved.analysis, file.parent_path());
   resolved.contact = resolve_contact(top.table("contact"), resolved.fabric.thickness);

@@ -7,8 +7,6 @@
 #include "case_parts.hpp"
 
 namespace sundrape {
-namespace {}  // namespace
-
 std::string name_of(const Selector& selector) {
   struct Name {
     std::string operator()(const NamedSet& set) const { return set.name; }
@@ -36,8 +34,7 @@ bool same(const Selector& a, const Selector& b) {
 }
 
 bool same_components(const FixCase& a, const FixCase& b) {
-  return a.components == b.components && a.director == b.director && a.rotation == b.rotation &&
-         a.grip.from == b.grip.from && a.grip.until == b.grip.until;
+  return a.components == b.components && a.director == b.director && a.rotation == b.rotation;
 }
 
 FixCase resolve_fix(const CaseSection& section, Model model, Analysis analysis) {
@@ -58,6 +55,13 @@ FixCase resolve_fix(const CaseSection& section, Model model, Analysis analysis) 
   }
   if (section.has("name")) fix.name = section.text("name");
   fix.grip = resolve_grip(section, analysis);
+  if (fix.grip.from && fix.rotation) {
+    if (section.has("components")) require_directors(section, model);
+    fix.rotation = model == Model::shell;
+    fix.director = {fix.rotation, fix.rotation, fix.rotation};
+  }
+  if (!fix.grip.always() && !fix.rotation && fix.director != std::array{false, false, false})
+    section.fail("components", "a `grip` or `release` in time knows 'rotation', but no single component of a director");
   return fix;
 }
 
@@ -75,7 +79,8 @@ std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Mod
       if (!fix.name.empty() && fix.name == earlier.name)
         section.fail("name",
                      fmt::format("'{}' is already the name of the support at {}", fix.name, place_of(earlier.source)));
-      if (same(fix.nodes, earlier.nodes) && !same_components(fix, earlier))
+      if (fix.grip.always() && earlier.grip.always() && same(fix.nodes, earlier.nodes) &&
+          !same_components(fix, earlier))
         section.fail("nodes", fmt::format("in conflict with the support at {}: the same nodes, but other components",
                                           place_of(earlier.source)));
     }

@@ -8,16 +8,38 @@
 namespace sundrape {
 namespace {
 
-constexpr double cautious = 0.2;     // of the largest move, without a prediction
-constexpr double difference = 1e-7;  // of the way, in the speed of supports
+constexpr double cautious = 0.2;  // of the largest move: without a prediction, and for obstacles
+constexpr double lagging = 0.5;   // a prediction of less than this part of the supports' way: they start from rest
+constexpr int looks = 8;          // at places on the way of a step, which may lead there and back
 
-/// Largest coordinate by which supports move a second, between two times [m/s].
-double speed_of_supports(const System& system, double from, double to, const Vector& q) {
+/// Largest way of `far` from the beginning of a step to any time in it [m].
+template <class Way>
+double furthest(double from, double to, Way&& way) {
+  double most = 0;
+  for (int k = 1; k <= looks; ++k) most = std::max(most, way(from + k * (to - from) / looks));
+  return most;
+}
+
+/// Largest coordinate by which supports move between two times [m].
+double way_of_supports(const System& system, const Vector& q, double from, double to) {
   Vector now = q, then = q;
-  const double step = difference * (to - from);
   system.carry(from, statics_by_time, now);
-  system.carry(from + step, statics_by_time, then);
-  return (then - now).cwiseAbs().maxCoeff() / step;
+  system.carry(to, statics_by_time, then);
+  return (then - now).cwiseAbs().maxCoeff();
+}
+
+/// The step from a time, at most `step`, halved until nothing goes too far in it [s].
+double shortened(const System& system, const FollowOptions& options, const Vector& q, double from, double step,
+                 double reach) {
+  const double least = 1e-9 * step;
+  const auto too_far = [&](double to) {
+    if (furthest(from, to, [&](double t) { return way_of_supports(system, q, from, t); }) > reach) return true;
+    return options.way_of_obstacles && furthest(from, to, [&](double t) {
+                                         return options.way_of_obstacles(q, from, t);
+                                       }) > cautious * options.relaxation.largest_move;
+  };
+  while (step > least && too_far(from + step)) step *= 0.5;
+  return step;
 }
 
 /// Work of supports and obstacles that go from one place to another while the free points rest: their forces at one
@@ -28,7 +50,7 @@ double work_over(const System& system, const Vector& q, double time, double from
   system.force({time, q, still, statics_by_time}, f);
   system.carry(from, statics_by_time, start);
   system.carry(to, statics_by_time, end);
-  return -f.dot(end - start);
+  return -system.unknowns().held_dot(f, end - start);
 }
 
 }  // namespace
@@ -43,15 +65,18 @@ FollowResult follow_supports(const System& system, LinearSolver& solver, const F
   while (result.time < to) {
     const double remaining = to - result.time;
     StagedEquilibrium equations(system, statics_by_time, q, options.relaxation.force_scale);
-    const double carried = speed_of_supports(system, result.time, to, q);
+    double step = shortened(system, options, q, result.time, remaining, largest_move);
     rate.setZero();
-    const bool predicts = tangent.factor(equations.state(q, result.time)) == FactorStatus::ok &&
-                          tangent.negative_pivots() == 0 &&
-                          tangent.solve(equations.load_direction(q, result.time), rate).ok && rate.allFinite();
-    if (!predicts) rate.setZero();
-    const double speed = std::max(carried, rate.cwiseAbs().maxCoeff());
-    const double reach = predicts ? largest_move : cautious * largest_move;
-    const double step = speed * remaining > reach ? reach / speed : remaining;
+    const bool solved = tangent.factor(equations.state(q, result.time)) == FactorStatus::ok &&
+                        tangent.negative_pivots() == 0 &&
+                        tangent.solve(equations.load_direction(q, result.time), rate).ok && rate.allFinite();
+    const double fastest = rate.cwiseAbs().maxCoeff();
+    if (solved && fastest * step >= lagging * way_of_supports(system, q, result.time, result.time + step))
+      step = std::min(step, largest_move / fastest);
+    else {
+      rate.setZero();
+      step = shortened(system, options, q, result.time, step, cautious * largest_move);
+    }
     const bool last = step == remaining;
 
     auto relaxation = options.relaxation;
@@ -61,13 +86,8 @@ FollowResult follow_supports(const System& system, LinearSolver& solver, const F
     Vector tried = q;
     equations.move(tried, step * rate, relaxation.load_factor);
     const auto found = relax(system, solver, relaxation, tried, observer);
-    auto& total = result.relaxation;
-    total.iterations += found.iterations;
-    total.factorizations += found.factorizations + 1;
-    total.linear_iterations += found.linear_iterations;
-    total.end = found.end;
-    total.residual = found.residual;
-    total.diagnosis = found.diagnosis;
+    result.relaxation = after(result.relaxation, found);
+    ++result.relaxation.factorizations;  // of the prediction
     if (found.end != RelaxationEnd::converged) return result;
     result.work += 0.5 * (work_over(system, q, result.time, result.time, relaxation.load_factor) +
                           work_over(system, tried, relaxation.load_factor, result.time, relaxation.load_factor));

@@ -157,6 +157,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     time += h;
     report.time = time;
     report.step_size = h;
+    report.load_factor = options.load_factor;
     report.residual = result.residual;
     for (int r = 0; r < unknowns.rows(); ++r) report.kinetic += 0.5 * system.row_mass()[r] * point(v, r).squaredNorm();
     unknowns.scatter(v, all_v);

@@ -43,11 +43,8 @@ double StagedEquilibrium::force_scale(const Vector& q, double load_factor) const
   const double loads = system_.external_force_norm(state(q, load_factor));
   const double scale = std::max(loads, least_share * full_load_);
   if (scale > 0) return scale;
-  double reactions = 0;  // f_ holds them where points are held
-  for (int p = 0; p < system_.unknowns().points(); ++p)
-    for (int c = 0; c < 3; ++c)
-      if (system_.unknowns().is_held(p, c)) reactions += f_[3 * p + c] * f_[3 * p + c];
-  return std::max(std::sqrt(reactions), least_share * force_scale_);
+  const double reactions = std::sqrt(system_.unknowns().held_dot(f_, f_));  // f_ has them where points are held
+  return std::max(reactions, least_share * force_scale_);
 }
 
 void StagedEquilibrium::move(Vector& q, const Vector& increment, double load_factor) const {

@@ -1,12 +1,17 @@
 #include "sundrape/system/prescribed_motion.hpp"
 
-#include <algorithm>
-#include <stdexcept>
+#include <ranges>
 
 namespace sundrape {
 
-PrescribedMotions::PrescribedMotions(std::vector<PrescribedMotion> motions, int points) : motions_(std::move(motions)) {
-  std::vector<std::size_t> entry(static_cast<std::size_t>(points), carried_.max_size());
+PrescribedMotions::PrescribedMotions(std::vector<PrescribedMotion> motions, int points)
+    : motions_(std::move(motions)), points_(points) {
+  list_carried();
+}
+
+void PrescribedMotions::list_carried() {
+  carried_.clear();
+  std::vector<std::size_t> entry(static_cast<std::size_t>(points_), carried_.max_size());
   const auto add = [&](int point, bool direction, std::size_t motion) {
     auto& at = entry.at(static_cast<std::size_t>(point));
     if (at == carried_.max_size()) {
@@ -18,6 +23,32 @@ PrescribedMotions::PrescribedMotions(std::vector<PrescribedMotion> motions, int 
   for (std::size_t m = 0; m < motions_.size(); ++m) {
     for (const int p : motions_[m].points) add(p, false, m);
     for (const int p : motions_[m].directions) add(p, true, m);
+  }
+}
+
+void PrescribedMotions::carry_instead(std::size_t motion, std::vector<int> points, std::vector<int> directions,
+                                      double time, ConstVectorRef q, VectorRef rest) {
+  auto& changed = motions_.at(motion);
+  std::vector<bool> moves_on(static_cast<std::size_t>(points_), false);
+  const auto mark = [&] {
+    for (const auto& list : {changed.points, changed.directions})
+      for (const int p : list) moves_on.at(static_cast<std::size_t>(p)) = true;
+  };
+  mark();
+  changed.points = std::move(points);
+  changed.directions = std::move(directions);
+  mark();
+  list_carried();
+  const Vector nothing;
+  const State now{time, nothing, nothing};
+  for (const auto& carried : carried_) {
+    if (!moves_on[static_cast<std::size_t>(carried.point)]) continue;
+    Vector3 x = point(q, carried.point);
+    for (const auto m : std::views::reverse(carried.motions)) {
+      const auto placement = motions_[m].course.placement(now);
+      x = carried.direction ? Vector3(placement.rotation.transpose() * x) : placement.inverse(x);
+    }
+    point(rest, carried.point) = x;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "sundrape/system/system.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace sundrape {
@@ -23,6 +24,31 @@ System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unkno
   auto built = pattern.build();
   structure_ = std::move(built.structure);
   tables_ = std::move(built.tables);
+}
+
+void System::take_hold(std::size_t motion, const std::vector<int>& points, const std::vector<int>& directors,
+                       const State& all) {
+  if (!motions_[motion].points.empty()) throw std::logic_error("a gripper that is closed cannot take hold");
+  std::vector<int> taken, turned;
+  const auto with_row = [&](int p) { return unknowns_.row_of_point()[static_cast<std::size_t>(p)] >= 0; };
+  std::ranges::copy_if(points, std::back_inserter(taken), with_row);
+  std::ranges::copy_if(directors, std::back_inserter(turned), with_row);
+  for (const int p : taken)
+    for (int c = 0; c < 3; ++c)
+      if (motions_[motion].components[static_cast<std::size_t>(c)]) unknowns_.hold(p, c);
+  for (const int p : turned)
+    for (int c = 0; c < 3; ++c) unknowns_.hold(p, c);
+  motions_.carry_instead(motion, std::move(taken), std::move(turned), all.time, all.q, rest_);
+}
+
+void System::let_go(std::size_t motion, const State& all) {
+  const auto& before = motions_[motion];
+  for (const int p : before.points)
+    for (int c = 0; c < 3; ++c)
+      if (before.components[static_cast<std::size_t>(c)]) unknowns_.let_go(p, c);
+  for (const int p : before.directions)
+    for (int c = 0; c < 3; ++c) unknowns_.let_go(p, c);
+  motions_.carry_instead(motion, {}, {}, all.time, all.q, rest_);
 }
 
 void System::expand(double time, ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const {
@@ -84,11 +110,7 @@ double System::held_kinetic_energy(const State& all) const {
 double System::support_power(const State& all) const {
   Vector f(all.q.size());
   force(all, f);
-  double power = 0;
-  for (int i = 0; i < mass_.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      if (unknowns_.is_held(i, k)) power -= f[3 * i + k] * all.v[3 * i + k];
-  return power;
+  return -unknowns_.held_dot(f, all.v);
 }
 
 double System::dissipated_power(const State& all) const {

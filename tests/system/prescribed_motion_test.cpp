@@ -82,5 +82,23 @@ TEST(PrescribedMotions, GoByStagesInStagedStatics) {
   EXPECT_DOUBLE_EQ(q[2], 0.5);
 }
 
+TEST(PrescribedMotions, TakeOtherPointsFromWhereTheyAre) {
+  auto m = motions();
+  Vector base = rest(), now = rest();
+  m.place(0.8, 0, base, now);
+  now.segment<3>(9) = Vector3(0.3, 0.4, 0.5);  // the free point has moved
+  m.carry_instead(1, {0, 3}, {}, 0.8, now, base);
+  Vector q = now;
+  m.place(0.8, 0, base, q);
+  EXPECT_LT((q - now).norm(), 1e-14);  // nothing jumps: not the new point, nor the one that two motions carry
+  m.place(1.5, 0, base, q);
+  const PathCourse up = lift(0.5, 1);
+  const Vector still;
+  const double rest_of_the_way = 2 - up.placement({0.8, still, still}).translation.z();
+  EXPECT_NEAR(q[11], 0.5 + rest_of_the_way, 1e-14);
+  EXPECT_NEAR(q[2], now[2] + rest_of_the_way, 1e-14);
+  EXPECT_EQ(q[5], now[5]);  // let go
+}
+
 }  // namespace
 }  // namespace sundrape

@@ -25,5 +25,28 @@ TEST(Unknowns, LeaveOutHeldPointsAndKeepPartlyHeldOnes) {
   EXPECT_EQ(rows[1], 0);
 }
 
+TEST(Unknowns, AreHeldUntilNoSupportHoldsThem) {
+  Unknowns unknowns({{true, true, true}, {false, true, false}});
+  for (int c = 0; c < 3; ++c) unknowns.hold(1, c);
+  EXPECT_TRUE(unknowns.is_held(1));
+  EXPECT_EQ(unknowns.held_components().size(), 3U);
+  EXPECT_EQ(unknowns.rows(), 1);  // it stays
+  for (int c = 0; c < 3; ++c) unknowns.let_go(1, c);
+  EXPECT_FALSE(unknowns.is_held(1, 0));
+  EXPECT_TRUE(unknowns.is_held(1, 1));  // by the support that it began with
+  EXPECT_EQ(unknowns.held_components().size(), 1U);
+  EXPECT_THROW(unknowns.let_go(1, 0), std::invalid_argument);
+  EXPECT_THROW(unknowns.hold(0, 0), std::invalid_argument);
+  EXPECT_THROW(unknowns.let_go(0, 0), std::invalid_argument);
+}
+
+TEST(Unknowns, SumProductsOverWhatIsHeld) {
+  const Unknowns unknowns({{true, true, true}, {false, true, false}});
+  Vector a(6), b(6);
+  a << 1, 2, 3, 4, 5, 6;
+  b << 1, 1, 1, 1, 10, 1;
+  EXPECT_EQ(unknowns.held_dot(a, b), 56);
+}
+
 }  // namespace
 }  // namespace sundrape

@@ -16,16 +16,12 @@ class Mishaps {
   [[nodiscard]] std::optional<std::string> at(const State& all) const;
 
  private:
-  struct HeldNode {
-    int node = -1;
-    double gap = 0;  // at the start [m]
-  };
   [[nodiscard]] std::optional<std::string> tear(const State& all) const;
   [[nodiscard]] std::optional<std::string> collision(const State& all) const;
 
   const Case& case_;
   const CaseModel& model_;
-  std::vector<HeldNode> held_;  // where supports or obstacles move
+  std::vector<double> gaps_;  // of the nodes at the start [m], where supports or obstacles move
 };
 
 }  // namespace sundrape

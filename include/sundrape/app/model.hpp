@@ -21,6 +21,15 @@ struct CaseModel {
   struct ReactionSet {
     std::string name;
     std::vector<int> nodes;
+    std::optional<std::size_t> motion = {};  // of the system, where what it holds changes in time
+  };
+  /// A support that takes hold, or lets go, in time: a motion of the system.
+  struct Gripper {
+    std::string name;
+    Selector nodes;
+    GripCase grip;
+    bool turns = false;  // holds directors too; of a net's clamps those that it has from the start
+    std::size_t motion = 0;
   };
 
   QuadMesh mesh;
@@ -32,10 +41,11 @@ struct CaseModel {
   Vector rate_slack;           // how many times larger the errors of rates may be: rows, n; empty: 1
   const ObstacleContact* contact = nullptr;   // owned by the system; null without obstacles
   const DirectorLength* directors = nullptr;  // owned by the system; null of a particle net
-  std::vector<const ClampSprings*> clamps;    // owned by the system
+  std::vector<ClampSprings*> clamps;          // owned by the system
   std::vector<const BendSprings*> bends;  // owned by the system; measured laws of warp and weft are terms of their own
   std::optional<ShellGauges> gauges;      // of a shell
   std::vector<ReactionSet> reactions;
+  std::vector<Gripper> grippers;
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
   bool has_inertia = false;  // dynamics: what supports carry has to be accelerated
@@ -54,6 +64,12 @@ struct CaseModel {
   [[nodiscard]] Vector of_nodes(const ConstVectorRef& all) const {
     return all.head(3 * static_cast<Eigen::Index>(mesh.nodes()));
   }
+  /// The nodes that a support holds now.
+  [[nodiscard]] const std::vector<int>& nodes_of(const ReactionSet& set) const {
+    return set.motion ? system->motion(*set.motion).points : set.nodes;
+  }
+  /// The points of nodes' directors that a gripper holds too.
+  [[nodiscard]] std::vector<int> turned_points(const Gripper& gripper, const std::vector<int>& nodes) const;
   /// Directors, 3N [-]; empty without them.
   [[nodiscard]] Vector directors_of(const ConstVectorRef& all) const;
 };

@@ -42,9 +42,10 @@ class Recorder {
   void step_values(std::initializer_list<ResultWriter::StepValue> values) { writer_.append_step(values); }
   void iteration(const ResultWriter::PathIteration& iteration) { writer_.append_iteration(iteration); }
   void critical_point(const CriticalRecord& point) { writer_.append_critical_point(point); }
-  /// @param totals  what the analysis counts, in its own order and always as many
+  /// @param totals    what the analysis counts, in its own order and always as many
+  /// @param schedule  of supports that change in time (SupportSchedule)
   void checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size,
-                  const std::vector<double>& totals);
+                  const std::vector<double>& totals, const std::vector<double>& schedule = {});
   /// What an interrupted run left, if this one resumes it.
   struct Restart {
     double time = 0;
@@ -54,6 +55,7 @@ class Recorder {
     std::vector<double> totals;  // as given to checkpoint()
     Extremes extremes;
     double wall = 0, cpu = 0;  // [s]
+    std::vector<double> schedule;
   };
   [[nodiscard]] const std::optional<Restart>& restart() const { return restart_; }
 

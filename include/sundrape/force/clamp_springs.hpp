@@ -32,6 +32,8 @@ class ClampSprings final : public ForceTerm {
 
   /// The clamps of these nodes turn with a body that is carried along a path; several of one node follow each other.
   void turn_with(const std::vector<int>& nodes, const PathCourse& course);
+  /// The clamps of these nodes hold no slope any more.
+  void open(const std::vector<int>& nodes);
 
   [[nodiscard]] std::string_view name() const override { return "clamped edges"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }

@@ -3,6 +3,7 @@
 
 #include "sundrape/integrate/energy_audit.hpp"
 #include "sundrape/integrate/integrator.hpp"
+#include "sundrape/integrate/timetable.hpp"
 
 namespace sundrape {
 
@@ -23,7 +24,7 @@ class Dynamics {
  public:
   /// @param frame_times  ascending; the last is the end of the run [s]
   Dynamics(const System& system, Integrator& integrator, std::vector<double> frame_times, DynamicsObserver& observer,
-           EventSource* events = nullptr);
+           EventSource* events = nullptr, Timetable* timetable = nullptr);
 
   /// From a state of all points; frames at or before `time` are taken as written unless `first_frame` asks for the one
   /// at `time`.
@@ -38,6 +39,10 @@ class Dynamics {
 
  private:
   void expand_last();
+  /// Gathers the unknowns from the last state and starts the integrator there.
+  void restart();
+  [[nodiscard]] bool is_due() const { return timetable_ != nullptr && timetable_->next() <= time_; }
+  void let_supports_change();
   void emit_frames(std::size_t& next);
 
   const System& system_;
@@ -45,6 +50,7 @@ class Dynamics {
   std::vector<double> frame_times_;
   DynamicsObserver& observer_;
   EventSource* events_;
+  Timetable* timetable_;
   double time_ = 0;
   Vector q_, v_;              // all points, after the last step
   Vector frame_q_, frame_v_;  // all points, of a frame

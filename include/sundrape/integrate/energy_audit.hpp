@@ -29,11 +29,15 @@ class EnergyAudit {
 
   /// An accepted step ended here; `impact_loss` is what impacts have turned into heat so far [J].
   void advance(const State& all, double impact_loss);
+  /// Supports have changed where the last step ended, which may have changed rates too. `before` is the energy until
+  /// then, without the loads' potential [J]: what is lost of it counts as heat, what is won as work.
+  void supports_changed(const State& all, double before);
   /// The balance at a time within the last step, at the state there.
   [[nodiscard]] Balance at(const State& all) const;
   [[nodiscard]] double initial_energy() const { return initial_energy_; }
 
  private:
+  void close_step();
   [[nodiscard]] double power_in(const State& all) const;
 
   const System& system_;

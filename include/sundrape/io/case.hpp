@@ -76,6 +76,8 @@ struct ClothCase {
 struct GripCase {
   std::optional<double> from;   // gripped where they are then [s]; else from the start
   std::optional<double> until;  // let go [s]
+
+  [[nodiscard]] bool always() const { return !from && !until; }
 };
 
 struct FixCase {
@@ -309,10 +311,15 @@ struct Case {
   [[nodiscard]] bool moves() const {
     return !motions.empty() || std::ranges::any_of(obstacles, [](const auto& o) { return o.motion.has_value(); });
   }
-  /// When the last load has reached its full size and the last path has ended [s].
+  /// When the last load has reached its full size, the last path has ended and the last gripper has done its work [s].
   [[nodiscard]] double settled_after() const {
     double last = 0;
     for (const auto& load : loads) last = std::max(last, load.ramp);
+    const auto changes = [&](const GripCase& grip) {
+      last = std::max({last, grip.from.value_or(0), grip.until.value_or(0)});
+    };
+    for (const auto& fix : fixes) changes(fix.grip);
+    for (const auto& motion : motions) changes(motion.grip);
     return std::max(last, end_of_paths());
   }
   [[nodiscard]] double end_of_paths() const {  // [s]; 0 where nothing moves

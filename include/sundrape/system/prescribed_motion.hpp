@@ -15,7 +15,7 @@ struct PrescribedMotion {
 };
 
 /// All prescribed motions of a system. A point may take part in several: these follow each other, the first in the list
-/// first.
+/// first. What a motion carries may change in time.
 class PrescribedMotions {
  public:
   PrescribedMotions() = default;
@@ -23,6 +23,11 @@ class PrescribedMotions {
   PrescribedMotions(std::vector<PrescribedMotion> motions, int points);
 
   [[nodiscard]] bool empty() const { return motions_.empty(); }
+  [[nodiscard]] const PrescribedMotion& operator[](std::size_t motion) const { return motions_[motion]; }
+  /// Has a motion carry other points from a time on. Wherever points that it carried or will carry rest in `rest` (3P)
+  /// becomes the place from which the motions of each lead to where it is in q (3P) now.
+  void carry_instead(std::size_t motion, std::vector<int> points, std::vector<int> directions, double time,
+                     ConstVectorRef q, VectorRef rest);
   /// Puts the carried components of q (3P) where they are at a time (or a load factor of a stage), starting from where
   /// they rest; no other entry changes.
   void place(double time, int stage, ConstVectorRef rest, VectorRef q) const;
@@ -37,11 +42,13 @@ class PrescribedMotions {
     bool direction = false;
     std::vector<std::size_t> motions;  // in their order
   };
+  void list_carried();
   template <class Visit>
   void visit(double time, int stage, ConstVectorRef rest, Visit&& visit) const;
 
   std::vector<PrescribedMotion> motions_;
   std::vector<Carried> carried_;
+  int points_ = 0;
 };
 
 }  // namespace sundrape

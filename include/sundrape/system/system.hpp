@@ -31,7 +31,15 @@ class System {
   [[nodiscard]] const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
   [[nodiscard]] const BlockStructure& structure() const { return structure_; }
 
+  /// Has a motion take hold of points, and of directors that turn with them, where they are at a state: from then on
+  /// they go where it goes. Points that are held for good stay with what holds them.
+  void take_hold(std::size_t motion, const std::vector<int>& points, const std::vector<int>& directors,
+                 const State& all);
+  /// Has a motion let go of all that it carries; what else carries these points goes on from where they are.
+  void let_go(std::size_t motion, const State& all);
+
   [[nodiscard]] bool has_motions() const { return !motions_.empty(); }
+  [[nodiscard]] const PrescribedMotion& motion(std::size_t index) const { return motions_[index]; }
   /// Puts the points that are carried along paths where they are at a time, or at a load factor of a stage; of q, 3P
   /// [m], no other entry changes.
   void carry(double time, int stage, VectorRef q) const { motions_.place(time, stage, rest_, q); }
