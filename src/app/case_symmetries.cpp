@@ -81,8 +81,15 @@ PointMap rigid(const CaseModel& model, const Matrix3& rotation, const Vector3& c
   return map;
 }
 
+/// The sheet at its start, but for supports, which are at the ends of their paths.
+Vector with_supports_at_the_end(const CaseModel& model) {
+  Vector q = model.initial;
+  model.system->carry(after_everything, statics_by_time, q);
+  return q;
+}
+
 bool is_symmetry(const CaseModel& model, const PointMap& map, const std::vector<Vector>& trials) {
-  return maps_supports(model.system->unknowns(), map, model.initial, 1e-5 * model.size) &&
+  return maps_supports(model.system->unknowns(), map, with_supports_at_the_end(model), 1e-5 * model.size) &&
          std::ranges::all_of(
              trials, [&](const Vector& q) { return equivariance_defect(*model.system, map, q) <= force_tolerance; });
 }
@@ -92,7 +99,7 @@ Vector contact_forces(const CaseModel& model, const Vector& q) {
   const Vector still = Vector::Zero(q.size());
   Vector forces = still;
   for (const auto& term : model.system->terms())
-    if (term->kind() == EnergyKind::contact) term->add_force({0, q, still}, forces);
+    if (term->kind() == EnergyKind::contact) term->add_force({after_everything, q, still}, forces);
   return forces;
 }
 
@@ -143,9 +150,10 @@ std::vector<Vector3> possible_pivots(const CaseModel& model) {
   std::vector<Vector3> pivots{model.placement.rotation * centre_of_nodes(model.mesh) + model.placement.translation,
                               Vector3::Zero()};
   for (const auto& obstacle : model.obstacles) pivots.push_back(obstacle.position);
+  const Vector supported = with_supports_at_the_end(model);
   for (const auto& set : model.reactions) {
     Vector3 mean = Vector3::Zero();
-    for (const int n : set.nodes) mean += point(model.initial, n) / static_cast<double>(set.nodes.size());
+    for (const int n : set.nodes) mean += point(supported, n) / static_cast<double>(set.nodes.size());
     pivots.push_back(mean);
   }
   return pivots;
@@ -166,9 +174,10 @@ std::optional<Vector3> neutral_pivot(const CaseModel& model, const std::vector<V
 std::vector<std::pair<Vector3, Vector3>> possible_mirrors(const CaseModel& model) {
   std::vector<std::pair<Vector3, Vector3>> mirrors;  // point, normal
   std::vector<Vector3> held;
+  const Vector supported = with_supports_at_the_end(model);
   for (int p = 0; p < model.mesh.nodes(); ++p)
     if (model.system->unknowns().is_held(p, 0) || model.system->unknowns().is_held(p, 1))
-      held.emplace_back(point(model.initial, p));
+      held.emplace_back(point(supported, p));
   for (const auto& x : held) {
     const Vector3 normal = Vector3::UnitZ().cross(x - held.front());
     if (normal.norm() < 1e-3 * model.size) continue;

@@ -18,15 +18,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// The law of friction begins with the slope 3 μ p/s₀; edges of obstacles carry several times the weight above them.
+ContactRates contact_rates(const Case& c, const CaseModel& model) {
+  if (model.contact == nullptr) return {};
+  const double stiffness = model.contact->law().stiffness(), density = c.fabric.area_density;
+  constexpr double concentration = 10;
+  const double friction = model.contact->largest_friction() * concentration * model.area_weight;
+  return {std::sqrt(stiffness / density), 3 * friction / model.contact->friction_law().speed() / density};
+}
+
 std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& model, EventSource* events,
                                             Recorder& recorder, Progress& progress) {
   auto options = integrator_options(c, model);
   const auto& d = c.dynamics;
   if (d.integrator == IntegratorKind::rk4) {
     const Vector still = Vector::Zero(model.initial.size());
-    const double contact_rate =
-        model.contact ? std::sqrt(model.contact->law().stiffness() / c.fabric.area_density) : 0.0;
-    const auto limit = rk4_stability_limit(*model.system, {0, model.initial, still}, contact_rate);
+    const auto limit = rk4_stability_limit(*model.system, {0, model.initial, still}, contact_rates(c, model));
     recorder.statistic("rk4_stable_step_s", limit.step,
                        "largest stable step of the Runge-Kutta method, from the stiffest mode of the start [s]");
     recorder.statistic("stiffest_angular_frequency_per_s", limit.angular_frequency,
@@ -186,7 +193,7 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     impact = std::make_unique<Impact>(*model.contact, model.system->mass().head(model.mesh.nodes()),
                                       *c.contact.restitution, c.contact.restitution_speed);
   const auto integrator = make_integrator(c, model, impact.get(), recorder, progress);
-  SupportSchedule schedule(c, model);
+  SupportSchedule schedule(model);
   Watch watch(c, model, *integrator, schedule, recorder, progress);
   Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get(), &schedule);
   watch.attach(dynamics);

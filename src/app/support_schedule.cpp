@@ -17,35 +17,17 @@ std::vector<Vector3> node_positions(const CaseModel& model, const State& all) {
   return positions;
 }
 
-/// When a path of constant speed sets out and arrives, and passes its keyframes.
-std::vector<double> kinks(const PathCase& course) {
-  if (const auto* keyframes = std::get_if<KeyframePath>(&course.path)) {
-    std::vector<double> times;
-    if (keyframes->keyframes.between() == Keyframes::Between::straight)
-      for (const double t : keyframes->keyframes.times()) times.push_back(course.start + t);
-    return times;
-  }
-  return course.smooth ? std::vector<double>{} : std::vector<double>{course.start, course.end()};
-}
-
 }  // namespace
 
-SupportSchedule::SupportSchedule(const Case& c, const CaseModel& model) : model_(model) {
+SupportSchedule::SupportSchedule(const CaseModel& model) : model_(model) {
   for (std::size_t g = 0; g < model.grippers.size(); ++g) {
     const auto& grip = model.grippers[g].grip;
-    if (grip.from) changes_.push_back({*grip.from, Kind::close, g});
-    if (grip.until) changes_.push_back({*grip.until, Kind::open, g});
+    if (grip.from) changes_.push_back({*grip.from, true, g});
+    if (grip.until) changes_.push_back({*grip.until, false, g});
   }
-  const auto add_kinks = [&](const PathCase& course) {
-    for (const double time : kinks(course))
-      if (time > 0) changes_.push_back({time, Kind::kink});
-  };
-  for (const auto& motion : c.motions) add_kinks(motion.course);
-  for (const auto& obstacle : c.obstacles)
-    if (obstacle.motion) add_kinks(*obstacle.motion);
   // who opens at an instant does so before others close
   std::ranges::stable_sort(changes_, [](const Change& a, const Change& b) {
-    return std::pair(a.time, a.kind == Kind::close) < std::pair(b.time, b.kind == Kind::close);
+    return std::pair(a.time, a.closes) < std::pair(b.time, b.closes);
   });
 }
 
@@ -56,8 +38,8 @@ double SupportSchedule::next() const {
 void SupportSchedule::happen(const State& all) {
   for (; done_ < changes_.size() && changes_[done_].time <= all.time; ++done_) {
     const auto& change = changes_[done_];
-    if (change.kind == Kind::close) close(model_.grippers[change.gripper], all);
-    if (change.kind == Kind::open) open(model_.grippers[change.gripper], all);
+    const auto& gripper = model_.grippers[change.gripper];
+    change.closes ? close(gripper, all) : open(gripper, all);
   }
 }
 

@@ -35,8 +35,10 @@ ObstacleContact::ObstacleContact(std::vector<ContactBody> bodies, std::vector<Co
     throw std::invalid_argument("a tributary area must not be negative");
 }
 
-bool ObstacleContact::has_friction() const {
-  return std::ranges::any_of(bodies_, [](const ContactBody& body) { return body.friction > 0; });
+double ObstacleContact::largest_friction() const {
+  double largest = 0;
+  for (const auto& body : bodies_) largest = std::max(largest, body.friction);
+  return largest;
 }
 
 RigidPlacement ObstacleContact::carried(std::size_t body, const State& when) const {

@@ -64,10 +64,10 @@ DynamicsEnd Dynamics::run(double time, ConstVectorRef q, ConstVectorRef v, bool 
   time_ = time;
   q_ = q;
   v_ = v;
-  if (is_due()) timetable_->happen(last());
   restart();
   audit_ = std::make_unique<EnergyAudit>(system_, last());
   if (carried_) audit_->resume(carried_->first, carried_->second);
+  if (is_due()) let_supports_change();
 
   std::size_t next = 0;
   while (next < frame_times_.size() && (frame_times_[next] < time || (!first_frame && frame_times_[next] <= time)))

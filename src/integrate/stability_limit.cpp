@@ -31,13 +31,13 @@ double rk4_stable_step(double angular_frequency, double damping_rate) {
   return low;
 }
 
-StabilityLimit rk4_stability_limit(const System& system, const State& all, double contact_rate) {
+StabilityLimit rk4_stability_limit(const System& system, const State& all, const ContactRates& contact) {
   const auto largest = [&](double dq, double dv) {
     return std::max(0.0, largest_eigenvalue(system, all, dq, dv, system.row_mass()));
   };
   StabilityLimit limit;
-  limit.angular_frequency = std::sqrt(largest(-1, 0) + contact_rate * contact_rate);
-  limit.damping_rate = largest(0, -1);
+  limit.angular_frequency = std::sqrt(largest(-1, 0) + contact.angular_frequency * contact.angular_frequency);
+  limit.damping_rate = largest(0, -1) + contact.damping_rate;
   limit.step = rk4_stable_step(limit.angular_frequency, limit.damping_rate);
   return limit;
 }

@@ -8,8 +8,6 @@
 namespace sundrape {
 namespace {
 
-constexpr double after_all_ramps = 1e9;  // [s]
-
 /// Forces by kind, 3P each [N].
 std::map<EnergyKind, Vector> forces_by_kind(const System& system, const Vector& q) {
   const Vector still = Vector::Zero(q.size());
@@ -17,7 +15,7 @@ std::map<EnergyKind, Vector> forces_by_kind(const System& system, const Vector& 
   for (const auto& term : system.terms()) {
     auto [entry, fresh] = forces.try_emplace(term->kind());
     if (fresh) entry->second = Vector::Zero(q.size());
-    term->add_force({after_all_ramps, q, still}, entry->second);
+    term->add_force({after_everything, q, still}, entry->second);
   }
   return forces;
 }

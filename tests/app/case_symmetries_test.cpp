@@ -52,6 +52,23 @@ TEST(CaseSymmetries, AreThoseThatSupportsLeave) {
   }
 }
 
+TEST(CaseSymmetries, AreThoseOfSupportsAndObstaclesAtTheEndsOfTheirPaths) {
+  const auto carried = [](const std::string& near, const std::string& by) {
+    return "[[motion]]\nname = \"" + near + "\"\nnodes = { near = " + near +
+           " }\npath = { kind = \"line\", by = " + by + ", duration = 1 }\n";
+  };
+  const std::string a = "[0.04, 0.04, 0]", b = "[-0.04, -0.04, 0]";
+  EXPECT_EQ(of(square, carried(a, "[-0.01, -0.01, 0]") + carried(b, "[0.01, 0.01, 0]")).maps.size(), 4U);
+  // what is left is the mirror of space through both corners
+  EXPECT_EQ(of(square, carried(a, "[-0.01, 0, 0]") + carried(b, "[0, 0, 0.01]")).maps.size(), 2U);
+  EXPECT_EQ(of(square, centre_pin + table + "}\n").maps.size(), 8U);
+  EXPECT_EQ(of(square, centre_pin + table.substr(0, table.rfind("place")) +
+                           "place = { translate = [0, 0, -0.01] }\nmotion = { kind = \"line\", by = [0.003, 0, 0], "
+                           "duration = 1 }\n")
+                .maps.size(),
+            2U);
+}
+
 TEST(CaseSymmetries, AreThoseThatLoadsLeave) {
   const std::string pull = "[[load]]\nkind = \"force\"\nnodes = \"top_right\"\ntotal = [1e-3, 1e-3, 0]\n";
   EXPECT_EQ(of(square, centre_pin + pull).maps.size(), 2U);

@@ -6,14 +6,13 @@
 
 namespace sundrape {
 
-/// The grippers of a case that close and open in time, and the instants at which paths of constant speed set out and
-/// arrive, where an integrator is better started anew.
+/// The grippers of a case that close and open in time.
 ///
 /// A gripper that closes holds the nodes that are then where its selector says, or those of the named set; `near` is
 /// the closest node within one mean edge of the cloth.
 class SupportSchedule final : public Timetable {
  public:
-  SupportSchedule(const Case& c, const CaseModel& model);
+  explicit SupportSchedule(const CaseModel& model);
 
   [[nodiscard]] double next() const override;
   /// @throws IntegrationFailure  a gripper closes where there is no cloth
@@ -26,10 +25,9 @@ class SupportSchedule final : public Timetable {
   void resume(const std::vector<double>& progress, const State& all);
 
  private:
-  enum class Kind { close, open, kink };
   struct Change {
     double time = 0;  // [s]
-    Kind kind = Kind::kink;
+    bool closes = false;
     std::size_t gripper = 0;
   };
   void close(const CaseModel::Gripper& gripper, const State& all);

@@ -67,7 +67,8 @@ class ObstacleContact final : public ForceTerm {
 
   [[nodiscard]] const ContactLaw& law() const { return law_; }
   [[nodiscard]] const FrictionLaw& friction_law() const { return friction_law_; }
-  [[nodiscard]] bool has_friction() const;
+  [[nodiscard]] bool has_friction() const { return largest_friction() > 0; }
+  [[nodiscard]] double largest_friction() const;  // μ
   [[nodiscard]] ContactReport report(const State& state) const;
   /// The surface with the smallest gap over all obstacles, where these are at the state's time.
   [[nodiscard]] ClosestSurface closest(const State& when, const Vector3& x) const;

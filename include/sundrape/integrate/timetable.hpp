@@ -3,7 +3,7 @@
 
 namespace sundrape {
 
-/// What happens to the supports of a system at times known beforehand: grippers close and open, paths have kinks.
+/// What happens to the supports of a system at times known beforehand: grippers close and open.
 class Timetable {
  public:
   virtual ~Timetable() = default;
