@@ -61,7 +61,9 @@ Shape shape(const MeshBodyShape& s) {
     auto mesh = read_triangle_mesh(s.file, s.unit);
     check_closed(mesh);
     const double voxel = s.voxel.value_or(bounds(mesh).sizes().maxCoeff() / voxels_across);
-    Shape body{std::make_unique<MeshObstacle>(mesh, voxel), "mesh", {{"voxel", {voxel}}}};
+    auto obstacle = std::make_unique<MeshObstacle>(mesh, voxel);
+    const double rounding = obstacle->rounding();
+    Shape body{std::move(obstacle), "mesh", {{"voxel", {voxel}}, {"rounding", {rounding}}}};
     body.surface = std::move(mesh);
     return body;
   } catch (const std::exception& problem) {

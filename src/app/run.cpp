@@ -1,5 +1,6 @@
 #include "sundrape/app/run.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <system_error>
@@ -118,6 +119,19 @@ AnalysisEnd run_analysis(const Case& c, const CaseModel& model, Recorder& record
   return run_arc_length(c, model, recorder, progress);
 }
 
+/// What the grid of a mesh obstacle cannot show is not there for the cloth.
+void warn_of_rounding(const CaseModel& model, Recorder& recorder) {
+  for (const auto& obstacle : model.obstacles) {
+    if (obstacle.kind != "mesh") continue;
+    const double voxel = obstacle.parameters.at("voxel").front(), rounding = obstacle.parameters.at("rounding").front();
+    if (rounding <= voxel) continue;
+    const auto loss =
+        std::isfinite(rounding) ? fmt::format("cuts back by up to {:.3g} mm", 1e3 * rounding) : "cuts off";
+    recorder.warn(fmt::format("obstacle '{}' has thin parts that its grid of {:.3g} mm {}: give it a smaller `voxel`",
+                              obstacle.name, 1e3 * voxel, loss));
+  }
+}
+
 }  // namespace
 
 ExitStatus run_case(const RunOptions& options) {
@@ -135,6 +149,7 @@ ExitStatus run_case(const RunOptions& options) {
     for (const auto& obstacle : c.obstacles)
       if (obstacle.friction > 0)
         recorder.warn(fmt::format("friction acts in dynamics only: '{}' is smooth here", obstacle.name));
+  warn_of_rounding(model, recorder);
   AnalysisEnd end;
   nlohmann::json summary;
   {

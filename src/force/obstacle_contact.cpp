@@ -91,7 +91,7 @@ Matrix3 ObstacleContact::friction_tangent(const Pair& pair, const State& state, 
   Matrix3 by_sliding = -largest * over_speed * Matrix3::Identity();  // ∂f/∂v
   if (friction_matrix_ == FrictionMatrix::tangent)
     by_sliding -= largest * friction_law_.slope_over_speed(s) * v * v.transpose();
-  const Matrix3 tangent = dv * by_sliding * along;
+  Matrix3 tangent = dv * by_sliding * along;
   if (!whole) return tangent;
   // ∂v/∂x, since the surface turns below the point and may move itself
   const Matrix3 turn =

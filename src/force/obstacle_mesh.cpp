@@ -1,6 +1,8 @@
 #include "sundrape/force/obstacle_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -69,6 +71,20 @@ VoxelGrid grid_around(const Eigen::AlignedBox3d& box, double voxel_size, double 
   return grid;
 }
 
+/// From a point near it, by Newton's iteration along the normal [m].
+double way_to_surface(const CubicSplineGrid& field, const Vector3& start, double voxel_size) {
+  constexpr int most = 20;
+  constexpr double close = 1e-3, flat = 0.1;  // of a voxel; of a normal
+  Vector3 x = start;
+  for (int k = 0; k < most && field.covers(x); ++k) {
+    const auto d = field.at(x);
+    if (std::abs(d.gap) < close * voxel_size) return (x - start).norm();
+    if (d.normal.norm() < flat) break;
+    x -= d.gap * d.normal / d.normal.squaredNorm();
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 MeshObstacle::MeshObstacle(const TriangleMesh& mesh, double voxel_size, double band) : band_(band) {
@@ -77,6 +93,7 @@ MeshObstacle::MeshObstacle(const TriangleMesh& mesh, double voxel_size, double b
   require_fit(bounds_.sizes(), voxel_size, band);
   const auto grid = grid_around(bounds_, voxel_size, band);
   gap_ = std::make_unique<CubicSplineGrid>(grid, voxel_distances(mesh, grid, band));
+  for (const auto& x : mesh.vertices) rounding_ = std::max(rounding_, way_to_surface(*gap_, x, voxel_size));
 }
 
 MeshObstacle::MeshObstacle(const TriangleMesh& mesh, double voxel_size)

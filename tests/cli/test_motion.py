@@ -328,7 +328,13 @@ class MeshObstacles(Motion):
     def test_the_ring_is_what_its_script_writes(self):
         script = CASES / "obstacles" / "ring.py"
         subprocess.run([sys.executable, script], cwd=self.folder, check=True)
-        self.assertEqual((self.folder / "ring.obj").read_text(), script.with_name("ring.obj").read_text())
+        kept, again = (path.read_text().split() for path in (script.with_name("ring.obj"), self.folder / "ring.obj"))
+        self.assertEqual(len(kept), len(again))
+        for word, other in zip(kept, again):  # the last digit is the mathematics library's
+            if word != other and "." in word:
+                self.assertAlmostEqual(float(word), float(other), delta=2e-6)
+            elif "." not in word:
+                self.assertEqual(word, other)
 
     def test_a_napkin_lies_on_the_torus_that_its_ring_stands_for(self):
         out, summary = self.run_case(CASES / "cloth_on_ring.toml")

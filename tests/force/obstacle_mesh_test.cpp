@@ -182,6 +182,22 @@ TEST(MeshObstacle, MirroredBodiesHaveMirroredFields) {
   }
 }
 
+TEST(MeshObstacle, SaysHowFarItRoundsTheMeshOff) {
+  const double corner = MeshObstacle(box_mesh({40 * mm, 40 * mm, 40 * mm}), mm).rounding();
+  EXPECT_GT(corner, 0.45 * mm);  // a gap of 0.45 to 0.57 h, where the normal is shorter than 1
+  EXPECT_LT(corner, mm);
+  // a thin plate across a block: its grid cannot show it
+  auto finned = box_mesh({40 * mm, 40 * mm, 40 * mm});
+  const auto fin = box_mesh({50 * mm, 40 * mm, 0.6 * mm});
+  for (auto triangle : fin.triangles) {
+    for (int& vertex : triangle) vertex += static_cast<int>(finned.vertices.size());
+    finned.triangles.push_back(triangle);
+  }
+  finned.vertices.insert(finned.vertices.end(), fin.vertices.begin(), fin.vertices.end());
+  EXPECT_GT(MeshObstacle(finned, 2 * mm).rounding(), 4 * mm);
+  EXPECT_LT(MeshObstacle(finned, 0.3 * mm).rounding(), mm) << "two voxels thick";
+}
+
 TEST(MeshObstacle, ImpossibleVoxelsAndMeshesAreRefused) {
   const auto box = box_mesh({100 * mm, 80 * mm, 20 * mm});
   const auto problem = [&](const TriangleMesh& mesh, double voxel_size) -> std::string {

@@ -46,12 +46,16 @@ class MeshObstacle final : public Obstacle {
   MeshObstacle& operator=(const MeshObstacle&) = delete;
 
   [[nodiscard]] Distance distance(const Vector3& x) const override;
+  /// How far the vertex that is worst off is from the body's surface [m]: up to h at a right-angled corner, more at
+  /// thinner ones; infinite where the grid shows nothing of what is around a vertex, as on fins thinner than h.
+  [[nodiscard]] double rounding() const { return rounding_; }
   /// The box around the mesh.
   [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return bounds_; }
 
  private:
   Eigen::AlignedBox3d bounds_;
   double band_;
+  double rounding_ = 0;
   std::unique_ptr<const CubicSplineGrid> gap_;
 };
 
