@@ -234,6 +234,10 @@ CaseSymmetries find_case_symmetries(const CaseModel& model, std::span<const Vect
   if (const auto mirror = mirror_of_space(model, found.maps, trials))
     for (std::size_t k = 0, own = found.maps.size(); k < own; ++k)
       if (auto map = after(found.maps[k], *mirror, model.size)) found.maps.push_back(std::move(*map));
+  if (!model.grippers.empty()) {  // what they take depends on the way there
+    found.maps.resize(1);
+    return found;
+  }
   found.neutral.slides = neutral_slides(model, trials);
   found.neutral.pivot = neutral_pivot(model, trials);
   return found;

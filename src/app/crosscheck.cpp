@@ -42,11 +42,23 @@ void refuse_analysis(const Settings& sets) {
                       "a crosscheck runs every analysis; choose among them by --methods");
 }
 
+void refuse_grips(const Case& c) {
+  const auto refuse = [](const auto& support) {
+    if (!support.grip.always())
+      throw CaseError(support.source,
+                      "a crosscheck holds motion against statics, which know no `grip` and no `release`: there is "
+                      "nothing to check this case against");
+  };
+  std::ranges::for_each(c.fixes, refuse);
+  std::ranges::for_each(c.motions, refuse);
+}
+
 /// One crosscheck as it goes on.
 class Work {
  public:
   explicit Work(const CrosscheckOptions& options)
       : options_(options), case_(read_case(options.case_file, options.sets)), model_(perfect_model(case_)) {
+    refuse_grips(case_);
     batch_ = {.case_file = options.case_file,
               .folder = options.folder.value_or(options.case_file.stem().string() + "-crosscheck"),
               .jobs = options.jobs,

@@ -27,13 +27,24 @@ ContactRates contact_rates(const Case& c, const CaseModel& model) {
   return {std::sqrt(stiffness / density), 3 * friction / model.contact->friction_law().speed() / density};
 }
 
+/// With all grippers open: what they hold at the start they may let go of.
+StabilityLimit stability_limit(const Case& c, const CaseModel& model) {
+  const Vector still = Vector::Zero(model.initial.size());
+  const State start{0, model.initial, still};
+  for (const auto& gripper : model.grippers) model.system->let_go(gripper.motion, start);
+  const auto limit = rk4_stability_limit(*model.system, start, contact_rates(c, model));
+  for (const auto& gripper : model.grippers)
+    if (!gripper.at_start.empty())
+      model.system->take_hold(gripper.motion, gripper.at_start, model.turned_points(gripper, gripper.at_start), start);
+  return limit;
+}
+
 std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& model, EventSource* events,
                                             Recorder& recorder, Progress& progress) {
   auto options = integrator_options(c, model);
   const auto& d = c.dynamics;
   if (d.integrator == IntegratorKind::rk4) {
-    const Vector still = Vector::Zero(model.initial.size());
-    const auto limit = rk4_stability_limit(*model.system, {0, model.initial, still}, contact_rates(c, model));
+    const auto limit = stability_limit(c, model);
     recorder.statistic("rk4_stable_step_s", limit.step,
                        "largest stable step of the Runge-Kutta method, from the stiffest mode of the start [s]");
     recorder.statistic("stiffest_angular_frequency_per_s", limit.angular_frequency,

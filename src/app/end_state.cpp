@@ -6,8 +6,10 @@
 
 #include "sundrape/app/last_shape.hpp"
 #include "sundrape/app/solver_choice.hpp"
+#include "sundrape/app/support_schedule.hpp"
 #include "sundrape/statics/relaxation.hpp"
 #include "sundrape/statics/stability.hpp"
+#include "sundrape/system/equivariance.hpp"
 
 namespace sundrape {
 namespace {
@@ -44,7 +46,10 @@ CaseModel perfect_model(Case c) {
 
 EndState end_state(const CaseModel& model, const ResultReader& result) {
   const Vector q = last_state(result, model), still = Vector::Zero(q.size());
-  const State all{0, q, still};
+  const double time = result.frame_variable() == FrameVariable::time ? result.frame_values().back() : after_everything;
+  const State all{time, q, still, statics_by_time};
+  if (const auto checkpoint = result.checkpoint(); checkpoint && checkpoint->arrays.contains("schedule"))
+    SupportSchedule(model).resume(checkpoint->arrays.at("schedule"), all);
   EndState state;
   const auto e = model.system->energies(all);
   state.energy = {{"membrane", e.membrane}, {"shear", e.shear},     {"bending", e.bending},
@@ -61,7 +66,7 @@ EndState moved(EndState state, const CaseModel& model, Vector q, Vector held_for
   for (const auto& probe : model.probes) state.probes[probe.name] = point(state.q, probe.node);
   for (const auto& set : model.reactions) {
     auto& reaction = state.reactions[set.name] = Vector3::Zero();
-    for (const int n : set.nodes) reaction += point(state.held_forces, n);
+    for (const int n : model.nodes_of(set)) reaction += point(state.held_forces, n);
   }
   return state;
 }

@@ -74,6 +74,10 @@ class SupportBuilder {
       add({motion.name, motion.nodes, motion.grip, motion.source},
           {motion.components, motion.rotation, rotated(motion.rotation)},
           PrescribedMotion{{}, motion.components, course_of(motion.course)});
+    for (const auto& [source, nodes] : taken_)
+      if (std::ranges::any_of(nodes, [&](int n) { return held_for_good(n); }))
+        throw CaseError(source, "selects nodes that another support holds for good: nothing can carry them away");
+    model.clamped_for_good = lasting_.clamped;
   }
 
   [[nodiscard]] const Supports& at_the_start() const { return start_; }
@@ -94,6 +98,9 @@ class SupportBuilder {
     bool clamps;
     Unknowns::Held director;
   };
+  [[nodiscard]] bool held_for_good(int node) const {
+    return lasting_.position[static_cast<std::size_t>(node)] == Unknowns::Held{true, true, true};
+  }
   static Unknowns::Held rotated(bool rotation) { return {rotation, rotation, rotation}; }
 
   void add(const Which& which, const What& what, std::optional<PrescribedMotion> motion) {
@@ -107,7 +114,9 @@ class SupportBuilder {
     CaseModel::ReactionSet reaction{name, lasts ? nodes : std::vector<int>{}};
     if (!lasts) {
       reaction.motion = motions_.size();
-      model_.grippers.push_back({name, selector, grip, what.clamps, motions_.size()});
+      model_.grippers.push_back({name, selector, grip, source, motion.has_value(), what.clamps, motions_.size(),
+                                 at_start ? nodes : std::vector<int>{}});
+      if (motion) taken_.push_back({source, nodes});
       if (!motion) motion = PrescribedMotion{{}, what.position, {LinePath{Vector3::Zero()}}};
     } else if (motion) {
       motion->points = nodes;
@@ -134,6 +143,7 @@ class SupportBuilder {
   const std::vector<Vector3>& placed_;
   Supports start_, lasting_;
   std::vector<PrescribedMotion> motions_;
+  std::vector<std::pair<SourceLine, std::vector<int>>> taken_;  // by grippers that move
 };
 
 /// Shares a total over nodes as dead nodal forces.
@@ -382,10 +392,9 @@ CaseModel build_model(const Case& c) {
                                           model.initial, built.motions());
   const Vector still = Vector::Zero(model.initial.size());
   for (const auto& gripper : model.grippers)
-    if (!gripper.grip.from) {
-      const auto nodes = select(gripper.nodes, model.mesh, placed);
-      model.system->take_hold(gripper.motion, nodes, model.turned_points(gripper, nodes), {0, model.initial, still});
-    }
+    if (!gripper.grip.from)
+      model.system->take_hold(gripper.motion, gripper.at_start, model.turned_points(gripper, gripper.at_start),
+                              {0, model.initial, still});
   return model;
 }
 

@@ -113,6 +113,7 @@ class QuasiStaticRun final : public RelaxationObserver {
       options.load_factor = time_;
       options.stage = statics_by_time;
       start = relax(*model_.system, *solver_, options, q_, *this);
+      initial_energy_ = model_.system->energies({time_, q_, still_, statics_by_time}).total();
       if (time == time_ || start.end != RelaxationEnd::converged) return {start, time_};
     }
     auto found = follow_supports(*model_.system, *solver_, options_, time_, time, q_, *this);
@@ -136,7 +137,6 @@ class QuasiStaticRun final : public RelaxationObserver {
     EnergyAudit::Balance balance;
     balance.energies = model_.system->energies(all);
     const double energy = balance.energies.total();
-    if (recorder_.frames() == 0) initial_energy_ = energy;
     balance.external_work = work_;
     // where the sheet fell to another equilibrium, and what obstacles that move put in
     balance.method_dissipated = initial_energy_ + work_ - energy;

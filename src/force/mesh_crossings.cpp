@@ -29,7 +29,7 @@ MeshCrossings::MeshCrossings(const TriangleMesh& mesh, const VoxelGrid& grid)
 }
 
 void MeshCrossings::add(const std::array<Vector3, 3>& corners, const std::array<int, 3>& vertices) {
-  const auto& [a, b, c] = corners;
+  const Vector3 &a = corners[0], &b = corners[1], &c = corners[2];
   const auto first = [&](int k) { return std::max(0, static_cast<int>(std::ceil(std::min({a[k], b[k], c[k]})))); };
   const auto last = [&](int k) {
     return std::min(count_[static_cast<std::size_t>(k)] - 1,

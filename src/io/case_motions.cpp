@@ -118,6 +118,9 @@ void resolve_moving_defaults(const CaseSection& top, Case& resolved) {
     if (moves && times.empty())
       for (int k = 0; k <= default_times; ++k) times.push_back(resolved.end_of_paths() * k / default_times);
   }
+  const auto holds_in_time = [](const auto& support) { return !support.grip.always(); };
+  if (resolved.contact.restitution && (!resolved.motions.empty() || std::ranges::any_of(resolved.fixes, holds_in_time)))
+    top.table("contact").fail("restitution", "impacts know no supports that move, close or open");
   if (resolved.contact.restitution)
     for (const auto& obstacle : resolved.obstacles)
       if (obstacle.motion || obstacle.friction > 0)

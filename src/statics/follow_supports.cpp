@@ -10,7 +10,7 @@ namespace {
 
 constexpr double cautious = 0.2;  // of the largest move: without a prediction, and for obstacles
 constexpr double lagging = 0.5;   // a prediction of less than this part of the supports' way: they start from rest
-constexpr int looks = 8;          // at places on the way of a step, which may lead there and back
+constexpr int looks = 32;         // at places on the way of a step, which may lead there and back
 
 /// Largest way of `far` from the beginning of a step to any time in it [m].
 template <class Way>

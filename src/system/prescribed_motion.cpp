@@ -39,14 +39,26 @@ void PrescribedMotions::carry_instead(std::size_t motion, std::vector<int> point
   changed.directions = std::move(directions);
   mark();
   list_carried();
+  rest_from(time, q, rest, moves_on);
+}
+
+void PrescribedMotions::rest_from(double time, ConstVectorRef q, VectorRef rest) const {
+  rest_from(time, q, rest, std::vector<bool>(static_cast<std::size_t>(points_), true));
+}
+
+void PrescribedMotions::rest_from(double time, ConstVectorRef q, VectorRef rest, const std::vector<bool>& which) const {
   const Vector nothing;
   const State now{time, nothing, nothing};
   for (const auto& carried : carried_) {
-    if (!moves_on[static_cast<std::size_t>(carried.point)]) continue;
+    if (!which[static_cast<std::size_t>(carried.point)]) continue;
     Vector3 x = point(q, carried.point);
     for (const auto m : std::views::reverse(carried.motions)) {
       const auto placement = motions_[m].course.placement(now);
-      x = carried.direction ? Vector3(placement.rotation.transpose() * x) : placement.inverse(x);
+      const Vector3 before = carried.direction ? Vector3(placement.rotation.transpose() * x) : placement.inverse(x);
+      // next to others a motion answers for its own components alone
+      const bool whole = carried.direction || carried.motions.size() == 1;
+      for (std::size_t c = 0; c < 3; ++c)
+        if (whole || motions_[m].components[c]) x[static_cast<int>(c)] = before[static_cast<int>(c)];
     }
     point(rest, carried.point) = x;
   }

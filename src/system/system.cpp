@@ -28,7 +28,7 @@ System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unkno
 
 void System::take_hold(std::size_t motion, const std::vector<int>& points, const std::vector<int>& directors,
                        const State& all) {
-  if (!motions_[motion].points.empty()) throw std::logic_error("a gripper that is closed cannot take hold");
+  if (motions_.carries(motion)) throw std::logic_error("a gripper that is closed cannot take hold");
   std::vector<int> taken, turned;
   const auto with_row = [&](int p) { return unknowns_.row_of_point()[static_cast<std::size_t>(p)] >= 0; };
   std::ranges::copy_if(points, std::back_inserter(taken), with_row);
@@ -50,6 +50,8 @@ void System::let_go(std::size_t motion, const State& all) {
     for (int c = 0; c < 3; ++c) unknowns_.let_go(p, c);
   motions_.carry_instead(motion, {}, {}, all.time, all.q, rest_);
 }
+
+void System::go_on_from(const State& all) { motions_.rest_from(all.time, all.q, rest_); }
 
 void System::expand(double time, ConstVectorRef rows_q, ConstVectorRef rows_v, VectorRef q, VectorRef v) const {
   q = rest_;

@@ -167,6 +167,86 @@ path = { kind = "line", by = [0, 0, "8 cm"], duration = "0.5 s" }
             with h5py.File(self.folder / "part.h5") as result:
                 self.assertLess(abs(result["frames/position"][-1] - end).max(), 1e-4)
 
+    def ends_alike(self, case, at, *sets):
+        """Broken off at some times and taken on, a run ends where it does unbroken."""
+        out, _ = self.run_case(case, *sets)
+        with h5py.File(out) as result:
+            end = result["frames/position"][-1]
+        for first in at:
+            self.run_case(case, *sets, f"dynamics.duration={first}", "output.frames=1")
+            options = [word for each in sets for word in ("--set", each)]
+            done = self.sundrape("run", case, "-o", "out.h5", "--resume", "out.h5", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with h5py.File(self.folder / "out.h5") as result:
+                self.assertLess(abs(result["frames/position"][-1] - end).max(), 1e-4, first)
+
+    def test_a_jaw_that_opens_or_closes_on_a_hinge_is_resumed_as_it_was(self):
+        hinge = '[[fix]]\nnodes = "left"\ncomponents = ["x", "y", "z"]\n'
+        opens = self.write("opens.toml", SHEET + hinge + '[[fix]]\nname = "jaw"\nnodes = "left"\nrelease = "0.25 s"\n')
+        damped = ("material.damping.mass=20", "dynamics.rtol=1e-5")
+        tips = {}
+        for model in ("particle", "shell"):
+            self.ends_alike(opens, (0.1, 0.4), f"model={model}", *damped)
+            tips[model] = self.tip()
+        always = self.write("always.toml", SHEET + '[[fix]]\nnodes = "left"\n')
+        for model in ("particle", "shell"):  # both hang as from a hinge, lower than clamped
+            self.run_case(always, f"model={model}", *damped)
+            self.assertLess(tips[model], self.tip() - 1e-3)
+        closes = '[[fix]]\nname = "jaw"\nnodes = "left"\ngrip = "0.1 s"\nrelease = "0.8 s"\n'
+        self.ends_alike(self.write("closes.toml", SHEET + hinge + closes), (0.05, 0.4, 0.9), "model=shell", *damped)
+
+    def tip(self):
+        with h5py.File(self.folder / "out.h5") as result:
+            return result["frames/position"][-1, :, 2].min()
+
+    def test_a_clamp_that_another_support_holds_stays_when_one_opens(self):
+        clamp = '[[fix]]\nnodes = "left"\ncomponents = ["x", "z", "rotation"]\n'
+        jaw = '[[fix]]\nname = "jaw"\nnodes = "left"\nrelease = "0.25 s"\n'
+        sets = ("material.damping.mass=20", "dynamics.duration=2")
+        self.run_case(self.write("both.toml", SHEET + clamp + jaw), *sets)
+        released = self.tip()
+        self.run_case(self.write("clamp.toml", SHEET + clamp), *sets)
+        self.assertAlmostEqual(released, self.tip(), delta=1e-4)
+
+    def test_hands_that_come_and_go_leave_a_lift_where_it_is(self):
+        lift = """[[motion]]
+name = "lift"
+nodes = "top"
+components = ["z"]
+path = { kind = "line", by = [0, 0, "1 cm"], duration = "0.9 s" }
+[[motion]]
+name = "hand"
+nodes = "top"
+components = ["x", "y"]
+grip = "0.1 s"
+release = "0.4 s"
+path = { kind = "line", by = [0, "1 cm", "2 cm"], duration = "0.2 s" }
+"""
+        case = self.write("lift.toml", SHEET + lift)
+        self.ends_alike(case, (0.05, 0.2, 0.6), "dynamics.rtol=1e-5")
+
+    def test_what_is_held_for_good_no_gripper_takes_away(self):
+        hand = """[[fix]]
+nodes = "left"
+[[motion]]
+name = "hand"
+nodes = NODES
+grip = "0.1 s"
+path = { kind = "line", by = [0, 0, "2 cm"], duration = "0.2 s" }
+"""
+        done = self.sundrape("check", self.write("hand.toml", SHEET + hand.replace("NODES", '"left"')))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("another support holds for good", done.stderr)
+        here = '{ near = ["-5 cm", 0, 0] }'
+        self.run_case(self.write("hand.toml", SHEET + hand.replace("NODES", here)), status=1)
+        self.assertRegex(self.message, "'hand' grips node [0-9]+ at t = 0.1 s, which another support holds for good")
+
+    def test_statics_have_nothing_to_say_about_grips(self):
+        case = self.write("grip.toml", SHEET + '[[fix]]\nnodes = "left"\nrelease = "0.5 s"\n')
+        done = self.sundrape("crosscheck", case)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("nothing to check this case against", done.stderr)
+
     def test_a_grip_on_nothing_says_where_the_cloth_is(self):
         for nodes in ('{ near = ["5 cm", 0, "5 cm"] }', '{ box = [[1, 1, 1], [2, 2, 2]] }'):
             hand = f'[[fix]]\nname = "hand"\nnodes = {nodes}\ngrip = "0.1 s"\n[[fix]]\nnodes = "left"\n'
@@ -193,6 +273,9 @@ path = { kind = "line", by = [0, 0, "8 cm"], duration = "0.5 s" }
             out, summary = self.run_case(CASES / "folding_motion.toml", *sets)
             with h5py.File(out) as result:
                 heights.append(result["frames/position"][-1, :, 2].max())
+            energy = summary["final"]["energy_J"]
+            # the books open where the way begins; the sum over long steps is coarse
+            self.assertLess(abs(energy["method_dissipated"]), 0.5 * energy["external_work"])
         self.assertAlmostEqual(heights[0], heights[1], delta=1e-5)
 
     def test_two_grippers_carry_a_napkin_along(self):

@@ -29,7 +29,8 @@ struct EndState {
 /// The same without any waviness: the one that has the symmetries.
 [[nodiscard]] CaseModel perfect_model(Case c);
 
-/// The last frame of a result, weighed.
+/// The last frame of a result, weighed with supports and obstacles where they are then; grippers of the model are left
+/// as they were in the result's end.
 /// @param model  as weighing_model or perfect_model makes it
 /// @throws FileError  as last_state
 [[nodiscard]] EndState end_state(const CaseModel& model, const ResultReader& result);

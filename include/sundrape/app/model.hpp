@@ -28,8 +28,11 @@ struct CaseModel {
     std::string name;
     Selector nodes;
     GripCase grip;
+    SourceLine source;
+    bool moves = false;  // along a path
     bool turns = false;  // holds directors too; of a net's clamps those that it has from the start
     std::size_t motion = 0;
+    std::vector<int> at_start = {};  // the nodes that it holds then
   };
 
   QuadMesh mesh;
@@ -46,6 +49,7 @@ struct CaseModel {
   std::optional<ShellGauges> gauges;      // of a shell
   std::vector<ReactionSet> reactions;
   std::vector<Gripper> grippers;
+  std::vector<bool> clamped_for_good;  // N: whether the slope of a net's node is held to the end
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
   bool has_inertia = false;  // dynamics: what supports carry has to be accelerated

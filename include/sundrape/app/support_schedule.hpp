@@ -15,7 +15,7 @@ class SupportSchedule final : public Timetable {
   explicit SupportSchedule(const CaseModel& model);
 
   [[nodiscard]] double next() const override;
-  /// @throws IntegrationFailure  a gripper closes where there is no cloth
+  /// @throws IntegrationFailure  a gripper closes where there is no cloth, or on what it cannot carry away
   void happen(const State& all) override;
 
   /// For checkpoints: how many changes have happened, then gripper and node for every node that is held now. Empty if
@@ -30,12 +30,15 @@ class SupportSchedule final : public Timetable {
     bool closes = false;
     std::size_t gripper = 0;
   };
-  void close(const CaseModel::Gripper& gripper, const State& all);
-  void open(const CaseModel::Gripper& gripper, const State& all);
+  void close(std::size_t gripper, const State& all);
+  void open(std::size_t gripper, const State& all);
+  void take(std::size_t gripper, std::vector<int> nodes, const State& all);
+  void let_go(std::size_t gripper, const State& all);
   [[nodiscard]] std::vector<int> within_reach(const CaseModel::Gripper& gripper, const State& all) const;
 
   const CaseModel& model_;
-  std::vector<Change> changes_;  // in the order of time
+  std::vector<Change> changes_;         // in the order of time
+  std::vector<std::vector<int>> held_;  // nodes of each gripper
   std::size_t done_ = 0;
 };
 

@@ -22,7 +22,7 @@ struct FollowOptions {
 struct FollowResult {
   RelaxationResult relaxation;  // counts of all steps; end and residual of the last one
   double time = 0;              // reached [s]
-  double work = 0;              // of the supports [J]
+  double work = 0;              // of the supports, by the mean of their forces at both ends of each step [J]
 };
 [[nodiscard]] FollowResult follow_supports(const System& system, LinearSolver& solver, const FollowOptions& options,
                                            double from, double to, Vector& q, RelaxationObserver& observer);

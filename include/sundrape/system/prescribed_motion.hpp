@@ -24,6 +24,13 @@ class PrescribedMotions {
 
   [[nodiscard]] bool empty() const { return motions_.empty(); }
   [[nodiscard]] const PrescribedMotion& operator[](std::size_t motion) const { return motions_[motion]; }
+  /// Whether a motion carries anything.
+  [[nodiscard]] bool carries(std::size_t motion) const {
+    return !motions_[motion].points.empty() || !motions_[motion].directions.empty();
+  }
+  /// Makes wherever carried points rest in `rest` (3P) the place from which their motions lead to where they are in q
+  /// (3P) at a time.
+  void rest_from(double time, ConstVectorRef q, VectorRef rest) const;
   /// Has a motion carry other points from a time on. Wherever points that it carried or will carry rest in `rest` (3P)
   /// becomes the place from which the motions of each lead to where it is in q (3P) now.
   void carry_instead(std::size_t motion, std::vector<int> points, std::vector<int> directions, double time,
@@ -43,6 +50,7 @@ class PrescribedMotions {
     std::vector<std::size_t> motions;  // in their order
   };
   void list_carried();
+  void rest_from(double time, ConstVectorRef q, VectorRef rest, const std::vector<bool>& which) const;
   template <class Visit>
   void visit(double time, int stage, ConstVectorRef rest, Visit&& visit) const;
 

@@ -37,6 +37,8 @@ class System {
                  const State& all);
   /// Has a motion let go of all that it carries; what else carries these points goes on from where they are.
   void let_go(std::size_t motion, const State& all);
+  /// Has all that is carried go on from where it is at a state.
+  void go_on_from(const State& all);
 
   [[nodiscard]] bool has_motions() const { return !motions_.empty(); }
   [[nodiscard]] const PrescribedMotion& motion(std::size_t index) const { return motions_[index]; }
