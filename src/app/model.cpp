@@ -17,7 +17,9 @@
 #include "sundrape/mesh/import.hpp"
 #include "sundrape/mesh/waviness.hpp"
 
+#include "pick.hpp"
 #include "sheet.hpp"
+#include "support_builder.hpp"
 
 namespace sundrape {
 namespace {
@@ -50,101 +52,6 @@ Vector flatten(const std::vector<Vector3>& positions) {
   for (std::size_t i = 0; i < positions.size(); ++i) q.segment<3>(static_cast<Eigen::Index>(3 * i)) = positions[i];
   return q;
 }
-
-std::vector<int> pick(const Selector& selector, const QuadMesh& mesh, const std::vector<Vector3>& placed,
-                      const SourceLine& source) {
-  std::vector<int> nodes;
-  try {
-    nodes = select(selector, mesh, placed);
-  } catch (const std::invalid_argument& problem) {
-    throw CaseError(source, problem.what());
-  }
-  if (nodes.empty()) throw CaseError(source, "selects no node of the cloth");
-  return nodes;
-}
-
-/// What holds the sheet, from when to when, and along which paths what moves is carried.
-class SupportBuilder {
- public:
-  SupportBuilder(const Case& c, CaseModel& model, const std::vector<Vector3>& placed)
-      : case_(c), model_(model), placed_(placed), start_(placed.size()), lasting_(placed.size()) {
-    for (const auto& fix : c.fixes)
-      add({fix.name, fix.nodes, fix.grip, fix.source}, {fix.components, fix.rotation, fix.director}, std::nullopt);
-    for (const auto& motion : c.motions)
-      add({motion.name, motion.nodes, motion.grip, motion.source},
-          {motion.components, motion.rotation, rotated(motion.rotation)},
-          PrescribedMotion{{}, motion.components, course_of(motion.course)});
-    for (const auto& [source, nodes] : taken_)
-      if (std::ranges::any_of(nodes, [&](int n) { return held_for_good(n); }))
-        throw CaseError(source, "selects nodes that another support holds for good: nothing can carry them away");
-    model.clamped_for_good = lasting_.clamped;
-  }
-
-  [[nodiscard]] const Supports& at_the_start() const { return start_; }
-  /// Without those that let go.
-  [[nodiscard]] const Supports& lasting() const { return lasting_; }
-  /// Of what is not held for good, no points yet.
-  [[nodiscard]] const std::vector<PrescribedMotion>& motions() const { return motions_; }
-
- private:
-  struct Which {
-    const std::string& name;
-    const Selector& nodes;
-    const GripCase& grip;
-    const SourceLine& source;
-  };
-  struct What {
-    Unknowns::Held position;
-    bool clamps;
-    Unknowns::Held director;
-  };
-  [[nodiscard]] bool held_for_good(int node) const {
-    return lasting_.position[static_cast<std::size_t>(node)] == Unknowns::Held{true, true, true};
-  }
-  static Unknowns::Held rotated(bool rotation) { return {rotation, rotation, rotation}; }
-
-  void add(const Which& which, const What& what, std::optional<PrescribedMotion> motion) {
-    const auto& [name, selector, grip, source] = which;
-    const bool at_start = !grip.from.has_value(), lasts = at_start && !grip.until;
-    // whoever takes hold later finds its nodes then, but a set that the mesh does not have is an error now
-    auto nodes = at_start || std::holds_alternative<NamedSet>(selector) ? pick(selector, model_.mesh, placed_, source)
-                                                                        : std::vector<int>{};
-    if (at_start) hold(start_, nodes, what);
-    if (lasts) hold(lasting_, nodes, what);
-    CaseModel::ReactionSet reaction{name, lasts ? nodes : std::vector<int>{}};
-    if (!lasts) {
-      reaction.motion = motions_.size();
-      model_.grippers.push_back({name, selector, grip, source, motion.has_value(), what.clamps, motions_.size(),
-                                 at_start ? nodes : std::vector<int>{}});
-      if (motion) taken_.push_back({source, nodes});
-      if (!motion) motion = PrescribedMotion{{}, what.position, {LinePath{Vector3::Zero()}}};
-    } else if (motion) {
-      motion->points = nodes;
-      if (what.clamps && case_.model == Model::shell)
-        for (const int n : nodes) motion->directions.push_back(model_.mesh.nodes() + n);
-    }
-    if (motion) motions_.push_back(std::move(*motion));
-    model_.reactions.push_back(std::move(reaction));
-  }
-
-  static void hold(Supports& supports, const std::vector<int>& nodes, const What& what) {
-    for (const int node : nodes) {
-      const auto i = static_cast<std::size_t>(node);
-      for (std::size_t k = 0; k < 3; ++k) {
-        supports.position[i][k] |= what.position[k];
-        supports.director[i][k] |= what.director[k];
-      }
-      if (what.clamps) supports.clamped[i] = true;
-    }
-  }
-
-  const Case& case_;
-  CaseModel& model_;
-  const std::vector<Vector3>& placed_;
-  Supports start_, lasting_;
-  std::vector<PrescribedMotion> motions_;
-  std::vector<std::pair<SourceLine, std::vector<int>>> taken_;  // by grippers that move
-};
 
 /// Shares a total over nodes as dead nodal forces.
 Vector equal_shares(const std::vector<int>& nodes, const Vector3& total, int points) {
