@@ -390,6 +390,11 @@ motion = { kind = "line", by = ["20 cm", 0, 0], duration = "1 s" }
             self.assertLess(abs(moved - 0.2).max(), 0.2e-3)  # it creeps, for 1 s at up to 0.1 mm/s
             self.assertAlmostEqual(result["frames/obstacle_position/plane0"][-1, 0], 0.2)
 
+    def test_a_fast_hand_leaves_a_tablecloth_books_that_close(self):
+        _, summary = self.run_case(CASES / "tablecloth_pulled.toml")
+        energy = summary["final"]["energy_J"]
+        self.assertLess(abs(energy["method_dissipated"]), 0.01 * energy["external_work"])
+
     def test_statics_say_that_they_do_not_see_it(self):
         _, summary = self.run_case(CASES / "incline.toml", "analysis=relaxation", "relaxation.max_iterations=3", status=1)
         self.assertTrue(any("friction acts in dynamics only" in each for each in summary["warnings"]))
@@ -421,6 +426,8 @@ class MeshObstacles(Motion):
 
     def test_a_napkin_lies_on_the_torus_that_its_ring_stands_for(self):
         out, summary = self.run_case(CASES / "cloth_on_ring.toml")
+        energy = summary["final"]["energy_J"]
+        self.assertLess(abs(energy["method_dissipated"]), 0.01 * energy["dissipated"])
         force = summary["final"]["contact_force_sum_N"]
         self.assertLess(abs(force[2] - summary["weight_N"]), 1e-3 * summary["weight_N"])
         with h5py.File(out) as result:
