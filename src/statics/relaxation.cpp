@@ -114,6 +114,10 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     const double digits = std::clamp(0.1 * result.residual, 1e-8, 1e-2);
     /// Newton's step from M/h² + K; false if there is none, or it does not go downhill.
     const auto find_step = [&] {
+      if (!system.adapt(balance.state(q))) {
+        matrix = BlockMatrix(system.structure(), solver.symmetry());
+        solver.analyse(system.structure());
+      }
       matrix.set_zero();
       matrix.add_diagonal(system.row_mass(), 1 / (h * h));
       system.add_tangent(balance.state(q), -1, 0, matrix);

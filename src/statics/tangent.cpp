@@ -20,6 +20,11 @@ Tangent::Tangent(const System& system, double neutral_frequency)
 }
 
 FactorStatus Tangent::factor(const State& all) {
+  if (!system_.adapt({all.time, all.q, still_, all.stage})) {
+    matrix_ = BlockMatrix(system_.structure(), matrix_.symmetry());
+    for (auto* solver : {cholesky_.get(), ldlt_.get(), lu_.get()})
+      if (solver) solver->analyse(system_.structure());
+  }
   matrix_.set_zero();
   matrix_.add_diagonal(shift_, 1);
   system_.add_tangent({all.time, all.q, still_, all.stage}, -1, 0, matrix_);

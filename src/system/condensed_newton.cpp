@@ -35,6 +35,11 @@ FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, C
     time_ = time;
     system_.expand(time, q, v, q_, v_);
     force_known_ = false;
+    if (!system_.adapt({time, q_, v_})) {
+      matrix_ = BlockMatrix(system_.structure(), solver_->symmetry());
+      solver_->analyse(system_.structure());
+      ++counters_.patterns;
+    }
     matrix_.set_zero();
     matrix_.add_diagonal(system_.row_mass(), c * c);
     system_.add_tangent({time, q_, v_}, -1, -c, matrix_);

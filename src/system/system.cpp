@@ -19,11 +19,28 @@ System::System(Vector mass, std::vector<std::unique_ptr<ForceTerm>> terms, Unkno
   row_mass_.resize(unknowns_.rows());
   for (int r = 0; r < unknowns_.rows(); ++r)
     row_mass_[r] = mass_[unknowns_.point_of_row()[static_cast<std::size_t>(r)]];
+  declare();
+}
+
+void System::declare() const {
   Pattern pattern(unknowns_.row_of_point());
   for (const auto& term : terms_) term->declare_pattern(pattern);
   auto built = pattern.build();
   structure_ = std::move(built.structure);
   tables_ = std::move(built.tables);
+}
+
+bool System::adapt(const State& all) const {
+  bool as_before = true;
+  for (const auto& term : terms_) as_before = term->adapt(all) && as_before;
+  if (!as_before) declare();
+  return as_before;
+}
+
+std::optional<Passage> System::passage(const State& from, const State& to) const {
+  for (const auto& term : terms_)
+    if (auto found = term->passage(from, to)) return found;
+  return std::nullopt;
 }
 
 void System::take_hold(std::size_t motion, const std::vector<int>& points, const std::vector<int>& directors,

@@ -45,6 +45,7 @@ TestState perturbed(const std::vector<Vector3>& nodes, double amplitude, double 
 Eigen::MatrixXd dense_tangent(const ForceTerm& term, const State& state, double dq, double dv, Symmetry symmetry) {
   std::vector<int> all(static_cast<std::size_t>(state.q.size() / 3));
   std::iota(all.begin(), all.end(), 0);
+  (void)term.adapt(state);
   Pattern pattern(all);
   term.declare_pattern(pattern);
   const auto built = pattern.build();

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "sundrape/force/energies.hpp"
@@ -9,6 +11,12 @@ namespace sundrape {
 
 /// Under which heading of the energy balance a term's energy is reported.
 enum class EnergyKind { membrane, shear, bending, gravity, contact, load, none };
+
+/// Something that a step of the motion must not do: cloth would pass through cloth.
+struct Passage {
+  std::string what;  // "node 7 through the triangle of nodes 31, 32 and 42"
+  Vector3 place;     // [m]
+};
 
 /// One contribution to  M a = Σ f_k(q, v, t).
 ///
@@ -40,6 +48,13 @@ class ForceTerm {
   [[nodiscard]] virtual bool has_symmetric_tangent() const { return true; }
   /// Declares the term's elements: one begin_term, then one add_element each.
   virtual void declare_pattern(Pattern& pattern) const = 0;
+  /// Whether the elements declared last do for the tangent at a state; if not, brings them up to date, to be declared
+  /// anew. What a term computes never depends on it.
+  [[nodiscard]] virtual bool adapt(const State& /*state*/) const { return true; }
+  /// What nodes that go straight from one state to another would pass through; nothing if they may.
+  [[nodiscard]] virtual std::optional<Passage> passage(const State& /*from*/, const State& /*to*/) const {
+    return std::nullopt;
+  }
 };
 
 }  // namespace sundrape

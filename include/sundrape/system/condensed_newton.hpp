@@ -16,7 +16,7 @@ namespace sundrape {
 class CondensedNewton {
  public:
   struct Counters {
-    long factorizations = 0, solves = 0, linear_iterations = 0, failures = 0;
+    long factorizations = 0, solves = 0, linear_iterations = 0, failures = 0, patterns = 0;
     double assembly_seconds = 0, factor_seconds = 0, solve_seconds = 0;  // wall clock
   };
 

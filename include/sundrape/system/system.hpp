@@ -29,7 +29,14 @@ class System {
   /// Whether ∂f/∂q is symmetric without damping.
   [[nodiscard]] bool has_symmetric_tangent() const;
   [[nodiscard]] const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
+  /// Of matrices over the unknowns: as it was built, or last adapted.
   [[nodiscard]] const BlockStructure& structure() const { return structure_; }
+  /// Whether the structure has room for the tangent at a state, which terms may couple otherwise than before (cloth
+  /// that touches cloth). If not, it is another one from now on: matrices are to be made anew, and solvers to analyse
+  /// it.
+  [[nodiscard]] bool adapt(const State& all) const;
+  /// What a step straight from one state to another would have pass through each other.
+  [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const;
 
   /// Has a motion take hold of points, and of directors that turn with them, where they are at a state: from then on
   /// they go where it goes. Points that are held for good stay with what holds them.
@@ -77,8 +84,10 @@ class System {
   Unknowns unknowns_;
   Vector rest_;
   PrescribedMotions motions_;
-  BlockStructure structure_;
-  std::vector<SlotTable> tables_;  // one a term
+  void declare() const;
+
+  mutable BlockStructure structure_;       // storage, not physics
+  mutable std::vector<SlotTable> tables_;  // one a term
 };
 
 }  // namespace sundrape

@@ -1,0 +1,267 @@
+#include "sundrape/force/cloth_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "cloth_friction.hpp"
+#include "edge_crossing.hpp"
+#include "swept_clearance.hpp"
+
+namespace sundrape {
+namespace {
+
+// Candidates are searched with this margin at first and at least, as a part of the thickness, and at most as a part of
+// a triangle's size; in between what lets them last for a while.
+constexpr double least_margin = 0.5, largest_margin = 0.7;
+constexpr long short_life = 20, long_life = 400;  // uses
+// Pairs that are this part of the thickness from pressing couple: what slides meets new ones now and then only. Edges
+// are a second line, and mostly idle.
+constexpr double coupled_beyond = 0.5, coupled_beyond_edges = 0.25;
+// Nodes keep at least this part of the thickness from what they are about to pass through.
+constexpr double least_clearance = 1e-3;
+
+Vector3 mean_place(const std::array<Vector3, 4>& x, const std::array<double, 4>& weights) {
+  Vector3 place = Vector3::Zero();  // the middle of the way between the nearest points
+  for (std::size_t k = 0; k < 4; ++k) place += 0.5 * std::abs(weights[k]) * x[k];
+  return place;
+}
+
+std::string passage_text(const ClothPair& pair) {
+  const auto& p = pair.points;
+  const auto name = [&](std::size_t k) { return std::to_string(p[k]); };
+  if (pair.shapes == Shapes::edge_edge)
+    return "the edge of nodes " + name(0) + " and " + name(1) + " through that of nodes " + name(2) + " and " + name(3);
+  return "node " + name(0) + " through the triangle of nodes " + name(1) + ", " + name(2) + " and " + name(3);
+}
+
+}  // namespace
+
+ClothContact::ClothContact(ClothPairs pairs, ContactLaw law, ClothContactOptions options)
+    : pairs_(std::move(pairs)), law_(law), options_(options), mean_edge_(0), margin_(least_margin * options.thickness) {
+  for (const auto& edge : surface().edges) mean_edge_ += edge.length / static_cast<double>(surface().edges.size());
+  if (!(options_.thickness > law_.smoothing()))
+    throw std::invalid_argument("cloth must be thicker than the distance over which contact sets in");
+  if (!(options_.friction >= 0)) throw std::invalid_argument("a coefficient of friction must not be negative");
+}
+
+double ClothContact::rest_distance(Shapes shapes) const {
+  const double share = shapes == Shapes::edge_edge ? edge_share : 1;
+  return share * options_.thickness - 0.5 * law_.smoothing();
+}
+
+double ClothContact::moved_since_search(const ConstVectorRef& q) const {
+  if (searched_at_.size() == 0) return std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (int i = 0; i < surface().nodes(); ++i)
+    most = std::max(most, (point(q, i) - point(searched_at_, i)).squaredNorm());
+  return std::sqrt(most);
+}
+
+void ClothContact::search(const ConstVectorRef& q, double margin) const {
+  const auto nodes = 3 * static_cast<Eigen::Index>(surface().nodes());
+  searched_at_ = q.head(nodes);
+  margin_ = margin;
+  uses_ = 0;
+  ++searches_;
+  candidates_.clear();
+  if (!searched_at_.allFinite()) return;  // whoever asked will notice
+  for (const auto& pair : pairs_.within(reach() + margin, searched_at_)) candidates_.push_back({pair, -1});
+  list_elements();
+}
+
+void ClothContact::require_candidates(const ConstVectorRef& q) const {
+  ++uses_;
+  const double moved = moved_since_search(q);
+  if (moved <= 0.5 * margin_) return;
+  double margin = margin_;
+  if (searches_ > 0 && uses_ < short_life) margin *= 2;
+  if (uses_ > long_life) margin *= 0.5;
+  const double least = least_margin * options_.thickness;
+  search(q, std::clamp(margin, least, std::max(least, largest_margin * mean_edge_)));
+}
+
+/// Tells candidates which element they are.
+void ClothContact::list_elements() const {
+  const auto key = [](const ClothPair& pair) { return std::pair(pair.shapes, pair.points); };
+  for (auto& candidate : candidates_) {
+    const auto found = std::ranges::lower_bound(elements_, key(candidate.pair), {}, key);
+    const bool listed = found != elements_.end() && key(*found) == key(candidate.pair);
+    candidate.element = listed ? static_cast<std::int32_t>(found - elements_.begin()) : -1;
+  }
+}
+
+bool ClothContact::couples(const ClothPair& pair, const ConstVectorRef& q) const {
+  const double beyond = pair.shapes == Shapes::edge_edge ? coupled_beyond_edges : coupled_beyond;
+  const double near = rest_distance(pair.shapes) + law_.smoothing() + beyond * options_.thickness;
+  return separation(pair.shapes, pair.at(q)).distance < near;
+}
+
+bool ClothContact::adapt(const State& state) const {
+  bool complete = true;
+  visit(state, [&](const Contact& contact) { complete = complete && contact.element >= 0; });
+  if (complete) return true;
+  elements_.clear();
+  for (const auto& candidate : candidates_)
+    if (couples(candidate.pair, state.q)) elements_.push_back(candidate.pair);
+  std::ranges::sort(elements_, {}, [](const ClothPair& pair) { return std::pair(pair.shapes, pair.points); });
+  list_elements();
+  ++patterns_;
+  return false;
+}
+
+void ClothContact::declare_pattern(Pattern& pattern) const {
+  pattern.begin_term(4);
+  for (const auto& pair : elements_) pattern.add_element(pair.points);
+}
+
+template <class Visit>
+void ClothContact::visit(const State& state, Visit&& visit) const {
+  require_candidates(state.q);
+  for (const auto& [pair, element] : candidates_) {
+    const auto x = pair.at(state.q);
+    const auto s = separation(pair.shapes, x);
+    const double gap = s.distance - rest_distance(pair.shapes);
+    if (!(gap < law_.smoothing()) || s.distance == 0) continue;
+    const double crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(x, pair.parallel2).factor : 1;
+    visit(Contact{pair, element, x, s, s.way / s.distance, gap, crossing * pair.area * law_.pressure(gap)});
+  }
+}
+
+Vector3 ClothContact::sliding(const Contact& contact, const State& state) const {
+  const auto& w = contact.separation.weights;
+  Vector3 v = Vector3::Zero();
+  for (std::size_t k = 0; k < points_of(contact.pair.shapes); ++k) v += w[k] * point(state.v, contact.pair.points[k]);
+  return v - v.dot(contact.normal) * contact.normal;
+}
+
+double ClothContact::energy(const State& state) const {
+  double sum = 0;
+  visit(state, [&](const Contact& contact) {
+    const auto& pair = contact.pair;
+    const double crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(contact.x, pair.parallel2).factor : 1;
+    sum += crossing * pair.area * law_.energy(contact.gap);
+  });
+  return sum;
+}
+
+double ClothContact::dissipated_power(const State& state) const {
+  if (options_.friction == 0) return 0;
+  double sum = 0;
+  visit(state, [&](const Contact& contact) {
+    const Vector3 v = sliding(contact, state);
+    sum += options_.friction * contact.push * options_.friction_law.over_speed(v.norm()) * v.squaredNorm();
+  });
+  return sum;
+}
+
+void ClothContact::add_force(const State& state, VectorRef force) const {
+  visit(state, [&](const Contact& contact) {
+    const auto& pair = contact.pair;
+    Vector3 push = contact.push * contact.normal;
+    if (options_.friction > 0) {
+      const Vector3 v = sliding(contact, state);
+      push -= options_.friction * contact.push * options_.friction_law.over_speed(v.norm()) * v;
+    }
+    for (std::size_t k = 0; k < points_of(pair.shapes); ++k)
+      point(force, pair.points[k]) += contact.separation.weights[k] * push;
+    if (pair.shapes != Shapes::edge_edge) return;
+    const EdgeCrossing crossing(contact.x, pair.parallel2);
+    if (crossing.is_constant()) return;
+    for (std::size_t k = 0; k < 4; ++k)
+      point(force, pair.points[k]) -= pair.area * law_.energy(contact.gap) * crossing.gradient[k];
+  });
+}
+
+void ClothContact::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
+  const bool whole = tangent.keeps_unsymmetric();
+  visit(state, [&](const Contact& contact) {
+    if (contact.element < 0) throw std::logic_error("cloth contact has not adapted to the state");
+    const auto& [pair, element, x, s, n, gap, push] = contact;
+    const auto& w = s.weights;
+    const std::size_t points = points_of(pair.shapes);
+    const bool edges = pair.shapes == Shapes::edge_edge;
+    const EdgeCrossing crossing = edges ? EdgeCrossing(x, pair.parallel2) : EdgeCrossing{};
+    const SeparationHessian turning(s, x);
+    const double bend = push / s.distance;                                      // of the distance's own curvature
+    const double along = bend + crossing.factor * pair.area * law_.slope(gap);  // of n nᵀ
+    const Matrix3 nn = n * n.transpose();
+    const auto conservative = [&](std::size_t k, std::size_t l) -> Matrix3 {
+      Matrix3 block = bend * turning.block(k, l) - along * w[k] * w[l] * nn;
+      if (edges && !crossing.is_constant()) {
+        const double pressure = pair.area * law_.pressure(gap);
+        block +=
+            pressure * (w[k] * n * crossing.gradient[l].transpose() + w[l] * crossing.gradient[k] * n.transpose()) -
+            pair.area * law_.energy(gap) * crossing.hessian(k, l);
+      }
+      return block;
+    };
+    std::optional<ClothFriction> friction;
+    if (options_.friction > 0) {
+      friction.emplace(s, x, n, velocities(pair, state), options_.friction, push, options_.friction_law,
+                       options_.whole_friction_tangent);
+      if (whole)
+        friction->know_push_gradient(crossing.factor * pair.area * law_.slope(gap), pair.area * law_.pressure(gap),
+                                     crossing.gradient);
+    }
+    const auto e = static_cast<std::size_t>(element);
+    for (std::size_t k = 0; k < points; ++k)
+      for (std::size_t l = 0; l <= k; ++l) {
+        Matrix3 block = dq * conservative(l, k);
+        if (friction) block += dv * friction->by_velocity(l, k);
+        if (!friction || !whole) {
+          if (k == l)
+            tangent.add_diagonal(e, static_cast<int>(k), block);
+          else
+            tangent.add_pair(e, static_cast<int>(l), static_cast<int>(k), block);
+          continue;
+        }
+        if (k == l) {
+          tangent.add_diagonal(e, static_cast<int>(k), block + dq * friction->by_place(k, k));
+        } else {
+          const Matrix3 mirrored = dq * conservative(k, l) + dv * friction->by_velocity(k, l);
+          tangent.add_general_pair(e, static_cast<int>(l), static_cast<int>(k), block + dq * friction->by_place(l, k),
+                                   mirrored + dq * friction->by_place(k, l));
+        }
+      }
+  });
+}
+
+std::optional<Passage> ClothContact::passage(const State& from, const State& to) const {
+  // pairs that come near on the way are candidates at its start and at its end, or must be found now
+  const double before = moved_since_search(from.q), after = moved_since_search(to.q);
+  if (!(std::max(before, after) <= 0.5 * margin_)) {
+    double most = 0;
+    for (int i = 0; i < surface().nodes(); ++i)
+      most = std::max(most, (point(from.q, i) - point(to.q, i)).squaredNorm());
+    search(from.q, std::max(margin_, 2 * std::sqrt(most)));
+  }
+  const double clearance = least_clearance * options_.thickness;
+  for (const auto& [pair, element] : candidates_) {
+    if (pair.shapes != Shapes::point_triangle && pair.shapes != Shapes::edge_edge) continue;
+    if (const auto met = first_contact(pair.shapes, pair.at(from.q), pair.at(to.q), clearance))
+      return Passage{passage_text(pair), mean_place(pair.at(from.q), met->weights)};
+  }
+  return std::nullopt;
+}
+
+ClothContactReport ClothContact::report(const State& state) const {
+  ClothContactReport report;
+  visit(state, [&](const Contact& contact) {
+    if (contact.pair.area < 0 || contact.pair.shapes == Shapes::point_point) return;  // corrections
+    ++report.contacts;
+    if (contact.pair.shapes == Shapes::point_triangle)
+      report.deepest_penetration =
+          std::max(report.deepest_penetration, options_.thickness - contact.separation.distance);
+    if (options_.friction == 0) return;
+    const double speed = sliding(contact, state).norm();
+    if (speed < options_.friction_law.speed())
+      report.fastest_creep = std::max(report.fastest_creep, speed);
+    else
+      ++report.sliding;
+  });
+  return report;
+}
+
+}  // namespace sundrape

@@ -1,0 +1,228 @@
+#include "sundrape/force/cloth_contact.hpp"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "sundrape/mesh/builders.hpp"
+
+#include "support/force_term_checks.hpp"
+
+namespace sundrape {
+namespace {
+
+// a wide law, so that random nodes fall on all of it
+constexpr double thickness = 3e-3, smoothing = 2e-3, stiffness = 4e6;
+constexpr double cell = 0.01;
+
+/// Two sheets of 3 × 3 cells in one mesh, the second moved and turned about z.
+QuadMesh two_sheets(const Vector3& shift, double angle) {
+  auto mesh = rectangle(3 * cell, 3 * cell, 3, 3);
+  const int nodes = mesh.nodes();
+  const auto quads = mesh.quads;
+  const Matrix3 turn = Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
+  for (int i = 0; i < nodes; ++i) {
+    mesh.reference.emplace_back(turn * mesh.reference[static_cast<std::size_t>(i)] + shift);
+    mesh.material.push_back(mesh.material[static_cast<std::size_t>(i)]);
+  }
+  for (auto quad : quads) {
+    for (auto& n : quad) n += nodes;
+    mesh.quads.push_back(quad);
+  }
+  return mesh;
+}
+
+ClothContact contact_of(const QuadMesh& mesh, double friction = 0, bool whole = false) {
+  return {ClothPairs(mesh, 2 * thickness),
+          {stiffness, smoothing},
+          {.thickness = thickness,
+           .friction = friction,
+           .friction_law = FrictionLaw(0.2),
+           .whole_friction_tangent = whole}};
+}
+
+Vector forces(const ForceTerm& term, const State& state) {
+  Vector f = Vector::Zero(state.q.size());
+  term.add_force(state, f);
+  return f;
+}
+
+/// Which parts of their shapes all pairs in reach have nearest to each other.
+std::vector<int> features(const ClothPairs& pairs, const Vector& q) {
+  std::vector<int> features;
+  for (const auto& pair : pairs.within(1.2 * thickness, q)) {
+    const auto s = separation(pair.shapes, pair.at(q));
+    for (const double w : s.weights) features.push_back(w != 0 ? 1 : 0);
+  }
+  return features;
+}
+
+/// The tangent's columns against central differences of the force, but for those that move a nearest point past a
+/// corner: the second derivative of a distance jumps there.
+void expect_exact_tangent(const QuadMesh& mesh, const ClothContact& contact, const TestState& state, double relative) {
+  const ClothPairs pairs(mesh, 2 * thickness);
+  const Eigen::MatrixXd exact = dense_tangent(contact, state, 1, 0, Symmetry::unsymmetric);
+  const double scale = exact.cwiseAbs().maxCoeff(), step = 3e-7;
+  const auto before = features(pairs, state.q);
+  int compared = 0;
+  for (Eigen::Index k = 0; k < state.q.size(); ++k) {
+    const auto moved = [&](double by) {
+      TestState s = state;
+      s.q[k] += by;
+      return s;
+    };
+    if (features(pairs, moved(2 * step).q) != before || features(pairs, moved(-2 * step).q) != before) continue;
+    ++compared;
+    const Vector slope = (8 * (forces(contact, moved(step)) - forces(contact, moved(-step))) -
+                          (forces(contact, moved(2 * step)) - forces(contact, moved(-2 * step)))) /
+                         (12 * step);
+    EXPECT_LE((exact.col(k) - slope).cwiseAbs().maxCoeff(), relative * scale) << "column " << k;
+  }
+  EXPECT_GT(compared, 0.9 * static_cast<double>(state.q.size()));
+  expect_symmetric_tangent_is_symmetric_part(contact, state);
+}
+
+TEST(ClothContact, ForceIsTheGradientAndTangentTheHessian) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const auto mesh = two_sheets({0.003, -0.002, 0.7 * thickness}, 0.4 + 0.1 * seed);
+    const auto contact = contact_of(mesh);
+    const auto state = perturbed(mesh.reference, 0.4e-3, 0, seed);
+    EXPECT_GT(contact.report(state).contacts, 15);
+    expect_force_is_energy_gradient(contact, state, 1e-6);
+    expect_exact_tangent(mesh, contact, state, 1e-6);
+    expect_self_equilibrated(contact, state);
+  }
+}
+
+TEST(ClothContact, CrossingEdgesHaveExactDerivatives) {
+  // sheets that cut deep into each other; turned by 1° many edges are nearly parallel and count little
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    for (const double angle : {0.35, 0.0175}) {
+      const auto mesh = two_sheets({0.2 * cell, 0.3 * cell, 0.4 * thickness}, angle);
+      const auto contact = contact_of(mesh);
+      const auto state = perturbed(mesh.reference, angle < 0.1 ? 0.05e-3 : 0.5e-3, 0, seed);
+      expect_force_is_energy_gradient(contact, state, 1e-6);
+      expect_exact_tangent(mesh, contact, state, 1e-6);
+    }
+}
+
+TEST(ClothContact, ExactTangentOfFriction) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const auto mesh = two_sheets({0.003, -0.002, 0.7 * thickness}, 0.5);
+    const auto contact = contact_of(mesh, 0.4, true);
+    const auto state = perturbed(mesh.reference, 0.4e-3, 0.15, seed);
+    expect_tangent_is_force_derivative(contact, state, 2e-5);
+    const Vector f = forces(contact, state);
+    Vector3 sum = Vector3::Zero();
+    for (int i = 0; i < mesh.nodes(); ++i) sum += f.segment<3>(3 * i);
+    EXPECT_LE(sum.norm(), 1e-10 * f.norm());
+  }
+}
+
+TEST(ClothContact, FrictionDissipatesAndRigidMotionDoesNot) {
+  const auto mesh = two_sheets({0.003, -0.002, 0.8 * thickness}, 0.5);
+  const auto contact = contact_of(mesh, 0.4);
+  expect_dissipates_what_it_says(contact, perturbed(mesh.reference, 0.1e-3, 0.3, 2), 1e-9);
+}
+
+TEST(ClothContact, FlatSheetsPressAlikeWhereverTheirNodesAre) {
+  // all of the smaller area presses: the pressure at the gap times the overlap, whatever the position
+  const double gap = 0.9 * thickness;
+  const ContactLaw law(stiffness, 0.5 * smoothing);  // edges do not reach each other
+  const double pressure = law.pressure(gap - thickness + 0.25 * smoothing);
+  const auto whole = [&](const Vector3& shift, double angle) {
+    auto mesh = rectangle(9 * cell, 9 * cell, 9, 9);  // under it
+    const auto small = two_sheets(shift, angle);
+    const int under = mesh.nodes(), half = small.nodes() / 2;
+    for (int i = 0; i < half; ++i) {
+      mesh.reference.push_back(small.reference[static_cast<std::size_t>(half + i)]);
+      mesh.material.push_back(small.material[static_cast<std::size_t>(i)]);
+    }
+    for (std::size_t e = 0; e < 9; ++e) {
+      auto quad = small.quads[e];
+      for (auto& n : quad) n += under;
+      mesh.quads.push_back(quad);
+    }
+    const ClothContact contact(ClothPairs(mesh, 2 * thickness), law, {.thickness = thickness});
+    const auto state = perturbed(mesh.reference, 0, 0, 1);
+    const Vector f = forces(contact, state);
+    double up = 0;
+    for (int i = under; i < mesh.nodes(); ++i) up += f[3 * i + 2];
+    return up;
+  };
+  const double area = 9 * cell * cell;
+  // Node on node the upper one's nodes see all of its area, 9 cells, and the 16 nodes below it a whole cell each; both
+  // count half.
+  EXPECT_NEAR(whole({0, 0, gap}, 0), 0.5 * (9 + 16) * cell * cell * pressure, 1e-9 * area * pressure);
+  // elsewhere the areas of those below overlap the upper sheet by chance
+  for (const auto& shift : {Vector3(0.2 * cell, 0.1 * cell, gap), Vector3(0.5 * cell, 0.5 * cell, gap),
+                            Vector3(1.3 * cell, -0.4 * cell, gap)})
+    for (const double angle : {0.0, 0.3}) {
+      const double up = whole(shift, angle);
+      EXPECT_NEAR(up, area * pressure, 0.35 * area * pressure) << shift.transpose() << ", " << angle;
+      EXPECT_GT(up, 0.5 * area * pressure);
+    }
+}
+
+TEST(ClothContact, AFlatSheetDoesNotTouchItselfHoweverFineItIs) {
+  const auto mesh = rectangle(0.02, 0.02, 40, 40);  // 0.5 mm cells, 3 mm thick
+  const auto contact = contact_of(mesh);
+  const auto state = perturbed(mesh.reference, 0, 1, 1);
+  EXPECT_EQ(contact.energy(state), 0);
+  EXPECT_EQ(forces(contact, state).norm(), 0);
+}
+
+TEST(ClothContact, BothSidesOfASheetPushAway) {
+  for (const double side : {1.0, -1.0}) {
+    const auto mesh = two_sheets({0.1 * cell, 0.2 * cell, side * 0.8 * thickness}, 0.2);
+    const auto contact = contact_of(mesh);
+    const Vector f = forces(contact, perturbed(mesh.reference, 0, 0, 1));
+    double up = 0;
+    for (int i = mesh.nodes() / 2; i < mesh.nodes(); ++i) up += f[3 * i + 2];
+    EXPECT_GT(side * up, 0);
+  }
+}
+
+TEST(ClothContact, WhatIsComputedDoesNotDependOnWhereNodesWereBefore) {
+  const auto mesh = two_sheets({0.003, -0.002, 0.8 * thickness}, 0.5);
+  const auto fresh = contact_of(mesh), used = contact_of(mesh);
+  const auto state = perturbed(mesh.reference, 0.4e-3, 0, 1);
+  for (int i = 0; i < 30; ++i) (void)forces(used, perturbed(mesh.reference, 0.1e-3 * i, 0, static_cast<unsigned>(i)));
+  EXPECT_GT(used.searches(), 1);
+  EXPECT_EQ(forces(fresh, state), forces(used, state));
+}
+
+TEST(ClothContact, ElementsAreDeclaredAnewOnlyWhenNewOnesPress) {
+  const auto mesh = two_sheets({0.003, -0.002, 0.8 * thickness}, 0.5);
+  const auto contact = contact_of(mesh);
+  EXPECT_FALSE(contact.adapt(perturbed(mesh.reference, 0, 0, 1)));
+  for (unsigned seed = 1; seed < 20; ++seed) EXPECT_TRUE(contact.adapt(perturbed(mesh.reference, 0.05e-3, 0, seed)));
+  EXPECT_EQ(contact.patterns(), 1);
+}
+
+TEST(ClothContact, AStepThroughTheOtherSheetIsNoticed) {
+  const auto mesh = two_sheets({0.003, -0.002, thickness}, 0.5);
+  const auto contact = contact_of(mesh);
+  const auto start = perturbed(mesh.reference, 0, 0, 1);
+  const auto moved = [&](double up) {
+    auto state = start;
+    for (int i = mesh.nodes() / 2; i < mesh.nodes(); ++i) state.q[3 * i + 2] += up;
+    return state;
+  };
+  EXPECT_FALSE(contact.passage(start, moved(5 * thickness)).has_value());
+  EXPECT_FALSE(contact.passage(start, moved(-0.9 * thickness)).has_value());
+  EXPECT_TRUE(contact.passage(start, moved(-1.1 * thickness)).has_value());
+  const auto through = contact.passage(start, moved(-20 * thickness));  // and well out of reach again
+  ASSERT_TRUE(through.has_value());
+  EXPECT_NEAR(through->place.z(), 0, thickness);
+  EXPECT_NE(through->what.find("through"), std::string::npos);
+}
+
+TEST(ClothContact, RefusesALawWiderThanTheCloth) {
+  const auto mesh = rectangle(cell, cell, 1, 1);
+  EXPECT_THROW(ClothContact(ClothPairs(mesh, 1e-3), {1e6, 1e-3}, {.thickness = 1e-3}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sundrape
