@@ -71,6 +71,7 @@ void visit_totals(Statistics& s, Visit&& visit) {
       visit(s.step_solve_failures), visit(s.restarts);
   visit(s.linear.factorizations), visit(s.linear.solves), visit(s.linear.linear_iterations), visit(s.linear.failures);
   visit(s.linear.assembly_seconds), visit(s.linear.factor_seconds), visit(s.linear.solve_seconds);
+  visit(s.linear.patterns);
 }
 
 /// An integrator's counts on top of those of the run that it resumes.
@@ -109,6 +110,9 @@ class Watch final : public DynamicsObserver {
   void frame(const State& all, const EnergyAudit::Balance& balance) override {
     recorder_.frame(all, balance);
     last_frame_ = all.time;
+    if (case_.contact.self && recorder_.first_crossing() && !mishap_)
+      tangle_ = "cloth has passed through cloth (/frames/crossings): try a smaller dynamics.rtol or max_step, a thicker "
+                "or stiffer contact, or a finer mesh";
   }
 
   void step(const State& all, const StepReport& report, const Integrator& integrator) override {
@@ -125,7 +129,7 @@ class Watch final : public DynamicsObserver {
                            {"contacts", contact.contacts}});
     last_step_size_ = report.step_size;
     if (rest_) rest_->step(all);
-    mishap_ = mishaps_.at(all);
+    mishap_ = tangle_ ? tangle_ : mishaps_.at(all);
     fastest_creep_ = contact.fastest_creep;
     if (!checkpoint_written_ ||
         std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() > case_.output.checkpoint_every)
@@ -166,7 +170,7 @@ class Watch final : public DynamicsObserver {
   Progress& progress_;
   Dynamics* dynamics_ = nullptr;
   Mishaps mishaps_;
-  std::optional<std::string> mishap_;
+  std::optional<std::string> mishap_, tangle_;
   double fastest_creep_ = 0;
   StopRequest stop_;
   Clock::time_point last_checkpoint_;
@@ -189,6 +193,7 @@ void record_statistics(const IntegratorStatistics& s, const EnergyAudit::Balance
   integer("factorizations", s.linear.factorizations, "matrices factored");
   integer("linear_solves", s.linear.solves, "linear systems solved");
   integer("linear_iterations", s.linear.linear_iterations, "iterations of the linear solver");
+  integer("patterns", s.linear.patterns, "changes of the matrices' pattern, where cloth touches cloth elsewhere");
   recorder.statistic("assembly_seconds", s.linear.assembly_seconds, "wall-clock time in assembling tangents [s]");
   recorder.statistic("factor_seconds", s.linear.factor_seconds, "wall-clock time in factoring [s]");
   recorder.statistic("solve_seconds", s.linear.solve_seconds, "wall-clock time in linear solves [s]");
@@ -246,7 +251,7 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     // not part of the checkpoint, so that a resumed run has frames at its frame times only
     if (failed) watch.frame_of_the_end();
   }
-  if (model.contact != nullptr && model.contact->has_friction())
+  if (model.has_friction())
     recorder.statistic("fastest_creep_m_per_s", watch.fastest_creep(),
                        "of the contact points that friction holds, at the end [m/s]");
   record_statistics(since_the_start(integrator->statistics(), recorder.restart()), dynamics.audit().at(last), recorder);

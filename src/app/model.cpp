@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "sundrape/app/last_shape.hpp"
 #include "sundrape/app/obstacles.hpp"
@@ -13,6 +14,7 @@
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/file_error.hpp"
 #include "sundrape/mesh/builders.hpp"
+#include "sundrape/mesh/crossings.hpp"
 #include "sundrape/mesh/directors.hpp"
 #include "sundrape/mesh/import.hpp"
 #include "sundrape/mesh/waviness.hpp"
@@ -118,6 +120,53 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
   model.area_weight = c.fabric.area_density * model.gravity;
 }
 
+/// Stiffness of contact [N/m³], unless the case says so.
+double contact_stiffness(const Case& c, const CaseModel& model) {
+  // finer nets spread a load over several points
+  const double part_of_bending_length =
+      0.125 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / model.area_weight);
+  return c.contact.stiffness.value_or(suggested_stiffness(
+      {.weight_per_area = model.area_weight,
+       .diagonal = diagonal(model.mesh),
+       .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, part_of_bending_length)},
+      c.contact.penetration));
+}
+
+void add_cloth_contact(const Case& c, CaseModel& model, Terms& terms) {
+  if (!c.contact.self) return;
+  constexpr double not_neighbours = 2;  // thicknesses: a fold as sharp as it can be, π/2 along the sheet, is none
+  auto term = std::make_unique<ClothContact>(
+      ClothPairs(model.mesh, not_neighbours * c.contact.thickness),
+      ContactLaw(contact_stiffness(c, model), c.contact.smoothing),
+      ClothContactOptions{.thickness = c.contact.thickness,
+                          .friction = c.analysis == Analysis::dynamics ? c.contact.friction : 0,
+                          .friction_law = FrictionLaw(c.contact.friction_speed)});
+  model.cloth_contact = term.get();
+  terms.push_back(std::move(term));
+}
+
+/// Cloth that starts tangled could not be told apart.
+void require_untangled(const Case& c, const CaseModel& model) {
+  if (model.cloth_contact == nullptr) return;
+  const auto found = crossings(model.surface, model.initial);
+  if (found.empty()) return;
+  const auto nodes = [&](int t) {
+    const auto& [i, j, k] = model.surface.triangles[static_cast<std::size_t>(t)];
+    return fmt::format("({}, {}, {})", i, j, k);
+  };
+  std::string pairs;
+  constexpr std::size_t most_named = 3;
+  for (std::size_t p = 0; p < std::min(found.size(), most_named); ++p)
+    pairs += fmt::format("{}{} and {}", p > 0 ? ", " : "", nodes(found[p].first), nodes(found[p].second));
+  const auto& [i, j, k] = model.surface.triangles[static_cast<std::size_t>(found.front().first)];
+  const Vector3 place = (point(model.initial, i) + point(model.initial, j) + point(model.initial, k)) / 3;
+  throw CaseError({.file = c.file.string(), .key = "cloth"},
+                  fmt::format("the cloth starts by passing through cloth: {} pairs of triangles, with the nodes {}{}, near "
+                              "({:.4g}, {:.4g}, {:.4g}) m; place it apart, or start from another shape",
+                              found.size(), pairs, found.size() > most_named ? ", ..." : "", place.x(), place.y(),
+                              place.z()));
+}
+
 void add_contact(const Case& c, CaseModel& model, Terms& terms) {
   if (c.obstacles.empty()) return;
   std::vector<ContactBody> bodies;
@@ -127,16 +176,8 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
     bodies.push_back(std::move(built.body));
     model.obstacles.push_back(std::move(built.record));
   }
-  // finer nets spread a load over several points
-  const double part_of_bending_length =
-      0.125 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / model.area_weight);
-  const double stiffness = c.contact.stiffness.value_or(suggested_stiffness(
-      {.weight_per_area = model.area_weight,
-       .diagonal = diagonal(model.mesh),
-       .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, part_of_bending_length)},
-      c.contact.penetration));
   auto term = std::make_unique<ObstacleContact>(std::move(bodies), contact_points(model.mesh, c.contact.subdivision),
-                                                ContactLaw(stiffness, c.contact.smoothing),
+                                                ContactLaw(contact_stiffness(c, model), c.contact.smoothing),
                                                 FrictionLaw(c.contact.friction_speed));
   model.contact = term.get();
   terms.push_back(std::move(term));
@@ -261,6 +302,8 @@ CaseModel build_model(const Case& c) {
   add_loads(c, model, threads, placed, sheet);
   if (c.fabric.damping.mass > 0) sheet.terms.push_back(std::make_unique<Drag>(sheet.mass, c.fabric.damping.mass));
   add_contact(c, model, sheet.terms);
+  model.surface = SheetSurface(model.mesh);
+  add_cloth_contact(c, model, sheet.terms);
 
   const auto earlier = c.cloth.start ? start_of(*c.cloth.start, model.mesh) : ShapeAtRest{placed, {}};
   auto start = wavy(model.mesh, earlier.positions, waviness(c), c.cloth.waviness_seed);
@@ -285,6 +328,7 @@ CaseModel build_model(const Case& c) {
     }
   }
   model.initial = flatten(points);
+  require_untangled(c, model);
   Unknowns unknowns(built.lasting().of_points(model.has_directors()), sheet.order);
   if (unknowns.rows() == 0)
     throw CaseError(c.fixes.empty() ? c.motions.front().source : c.fixes.front().source,

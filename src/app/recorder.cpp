@@ -11,6 +11,7 @@
 #include "sundrape/io/file_error.hpp"
 #include "sundrape/io/result_layout.hpp"
 #include "sundrape/io/result_reader.hpp"
+#include "sundrape/mesh/crossings.hpp"
 #include "sundrape/mesh/directors.hpp"
 #include "sundrape/statics/relaxation.hpp"
 #include "sundrape/version.hpp"
@@ -172,10 +173,15 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
                 .method_dissipated = balance.method_dissipated};
   f.residual = residual ? *residual : relative_residual(*model_.system, all, model_.force_scale());
   f.negative_pivots = negative_pivots.value_or(-1);
-  if (model_.contact) {
+  f.crossings = std::ssize(crossings(model_.surface, all.q));
+  if (f.crossings > 0 && !first_crossing_) first_crossing_ = all.time;
+  if (model_.contact || model_.cloth_contact) {
     Vector contact_force = Vector::Zero(all.q.size());
-    model_.contact->add_force(all, contact_force);
+    if (model_.contact) model_.contact->add_force(all, contact_force);
+    if (model_.cloth_contact) model_.cloth_contact->add_force(all, contact_force);
     f.contact_force = model_.of_nodes(contact_force);
+  }
+  if (model_.contact) {
     const auto report = model_.contact->report(all);
     f.penetration = report.deepest_penetration;
     for (std::size_t k = 0; k < model_.obstacles.size(); ++k) {
@@ -184,6 +190,8 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
       f.obstacles.push_back({carried(start.position), carried.rotation * start.rotation, report.total_forces[k]});
     }
   }
+  if (model_.cloth_contact)
+    f.penetration = std::max(f.penetration, model_.cloth_contact->report(all).deepest_penetration);
   if (model_.gauges) {
     const auto readings = model_.gauges->read(all.q);
     extremes_.largest_membrane_strain =
@@ -212,8 +220,15 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
 
 ContactReport Recorder::step(const State& all) {
   if (!model_.probes.empty()) writer_.append_probes(all.time, all.q, all.v);
-  if (!model_.contact) return {};
-  auto report = model_.contact->report(all);
+  ContactReport report;
+  if (model_.contact) report = model_.contact->report(all);
+  if (model_.cloth_contact) {
+    const auto own = model_.cloth_contact->report(all);
+    report.contacts += own.contacts;
+    report.sliding += own.sliding;
+    report.deepest_penetration = std::max(report.deepest_penetration, own.deepest_penetration);
+    report.fastest_creep = std::max(report.fastest_creep, own.fastest_creep);
+  }
   if (case_.analysis != Analysis::relaxation)
     extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
   return report;

@@ -54,13 +54,17 @@ void report_extremes(const Case& c, Recorder& recorder) {
   const std::string when = dynamics ? "at any time" : "at the end", of_frames = dynamics ? "over the frames" : when;
   recorder.statistic("largest_edge_strain", e.largest_edge_strain, "of a thread segment, " + of_frames);
   recorder.statistic("smallest_edge_strain", e.smallest_edge_strain, "of a thread segment, " + of_frames);
-  recorder.statistic("deepest_penetration_m", e.deepest_penetration, "of a contact point into an obstacle, " + when);
+  recorder.statistic("deepest_penetration_m", e.deepest_penetration, "of a contact point into an obstacle, or of cloth into cloth, " + when);
   recorder.statistic("sharpest_bend_deg", e.sharpest_bend * 180 / std::numbers::pi,
                      "turn of a thread from one edge to the next, or of a director along an edge, " + of_frames);
   if (e.deepest_penetration > c.contact.penetration)
     recorder.warn(fmt::format(
-        "the cloth sank {:.3g} mm into an obstacle, more than the {:.3g} mm allowed: raise contact.stiffness",
+        "the cloth sank {:.3g} mm into what it touches, more than the {:.3g} mm allowed: raise contact.stiffness",
         1e3 * e.deepest_penetration, 1e3 * c.contact.penetration));
+  if (const auto first = recorder.first_crossing())
+    recorder.warn(fmt::format("the cloth passes through itself, first in the frame at {} {:.4g} (/frames/crossings){}",
+                              c.analysis == Analysis::arc_length ? "load factor" : "t =", *first,
+                              c.contact.self ? "" : ": contact.self = true keeps layers apart"));
   const bool shell = c.model == Model::shell;
   if (shell)
     recorder.statistic("largest_membrane_strain", e.largest_membrane_strain,

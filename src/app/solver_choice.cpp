@@ -52,7 +52,7 @@ IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   o.first_step = d.first_step;
   o.max_step = d.max_step;
   o.fixed_step = d.step.value_or(0);
-  if (model.contact != nullptr && model.contact->has_friction())
+  if (model.has_friction())
     o.newton_accuracy = d.integrator == IntegratorKind::ida ? accuracy_of_friction_in_ida : accuracy_of_friction;
   return o;
 }

@@ -45,6 +45,7 @@ class Cvode final : public ImplicitIntegrator {
     CVodeGetLastStep(memory_.get(), &report.step_size);
     CVodeGetLastOrder(memory_.get(), &report.order);
     last_step_ = report.step_size;
+    guard_.start_from(time_, y_.values().head(form_.size() / 2));
     return report;
   }
 
@@ -71,7 +72,7 @@ class Cvode final : public ImplicitIntegrator {
     require_success(CVodeWFtolerances(m, weigh), "CVodeWFtolerances");
     require_success(CVodeSetLinearSolver(m, embedded_.get(), nullptr), "CVodeSetLinearSolver");
     require_success(CVodeSetNonlinearSolver(m, iteration_.get()), "CVodeSetNonlinearSolver");
-    iteration_.use_rule(options_.newton_accuracy < 1);
+    iteration_.use_rule(options_.newton_accuracy < 1, [this](N_Vector total) { return admits_end(total); });
     require_success(CVodeSetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "CVodeSetNonlinConvCoef");
     require_success(CVodeSetMaxNumSteps(m, -1), "CVodeSetMaxNumSteps");
     require_success(CVodeSetMaxConvFails(m, 20), "CVodeSetMaxConvFails");
@@ -105,6 +106,14 @@ class Cvode final : public ImplicitIntegrator {
     return correct(t, 1 / gamma, y, force_, r_q_, r_v_, x);
   }
 
+  bool admits_end(N_Vector total) {
+    realtype t = 0, gamma = 0, rl1 = 0;
+    N_Vector predicted = nullptr, y = nullptr, f = nullptr, zn1 = nullptr;
+    void* data = nullptr;
+    CVodeGetNonlinearSystemData(memory_.get(), &t, &predicted, &y, &f, &gamma, &rl1, &zn1, &data);
+    return admits(t, predicted, total);
+  }
+
   void interpolant(double time, N_Vector y) const override {
     require_success(CVodeGetDky(memory_.get(), time, 0, y), "CVodeGetDky");
   }
@@ -125,7 +134,7 @@ class Cvode final : public ImplicitIntegrator {
     CVodeGetCurrentStep(memory_.get(), &h);
     std::string what = "CVODE cannot go on";
     std::string advice = "try more strain-rate damping, a softer contact or a finer mesh";
-    if (flag == CV_CONV_FAILURE) what = "Newton's iteration does not converge, however small the step";
+    if (flag == CV_CONV_FAILURE) what = cause("Newton's iteration does not converge, however small the step");
     if (flag == CV_ERR_FAILURE) {
       what = "the error test fails, however small the step";
       advice = "try a looser rtol or more strain-rate damping";

@@ -44,6 +44,7 @@ class Ida final : public ImplicitIntegrator {
     IDAGetLastStep(memory_.get(), &report.step_size);
     IDAGetLastOrder(memory_.get(), &report.order);
     last_step_ = report.step_size;
+    guard_.start_from(time_, y_.values().head(form_.size() / 2));
     return report;
   }
 
@@ -72,7 +73,7 @@ class Ida final : public ImplicitIntegrator {
     if (form_.system().has_massless_rows()) leave_algebraic_rates_out_of_the_error_test();
     require_success(IDASetLinearSolver(m, embedded_.get(), nullptr), "IDASetLinearSolver");
     require_success(IDASetNonlinearSolver(m, iteration_.get()), "IDASetNonlinearSolver");
-    iteration_.use_rule(options_.newton_accuracy < 1);
+    iteration_.use_rule(options_.newton_accuracy < 1, [this](N_Vector total) { return admits_end(total); });
     require_success(IDASetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "IDASetNonlinConvCoef");
     require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
     require_success(IDASetMaxConvFails(m, 20), "IDASetMaxConvFails");
@@ -128,6 +129,14 @@ class Ida final : public ImplicitIntegrator {
     return correct(t, c, y, force_, right.head(n), right.tail(n), x);
   }
 
+  bool admits_end(N_Vector total) {
+    realtype t = 0, c = 0;
+    N_Vector predicted = nullptr, predicted_dot = nullptr, y = nullptr, y_dot = nullptr, r = nullptr;
+    void* data = nullptr;
+    IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data);
+    return admits(t, predicted, total);
+  }
+
   void interpolant(double time, N_Vector y) const override {
     require_success(IDAGetDky(memory_.get(), time, 0, y), "IDAGetDky");
   }
@@ -149,12 +158,12 @@ class Ida final : public ImplicitIntegrator {
     std::string what = "IDA cannot go on";
     std::string advice = "try more strain-rate damping, a softer contact or a finer mesh";
     if (flag == IDA_CONV_FAIL || flag == IDA_LSOLVE_FAIL)
-      what = "Newton's iteration does not converge, however small the step";
+      what = cause("Newton's iteration does not converge, however small the step");
     if (flag == IDA_ERR_FAIL) {
       what = "the error test fails, however small the step";
       advice = "try a looser rtol or more strain-rate damping";
     }
-    if (form_.system().has_massless_rows() &&
+    if (!guard_.refusal() && form_.system().has_massless_rows() &&
         (flag == IDA_CONV_FAIL || flag == IDA_LSOLVE_FAIL || flag == IDA_ERR_FAIL)) {
       what =
           "the equations of directors without inertia have turned singular, as they do where a fold is sharper than "

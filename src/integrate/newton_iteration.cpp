@@ -25,12 +25,13 @@ NewtonIteration::NewtonIteration(const StateVector& like, const Context& context
   if (!solver_) throw std::bad_alloc();
 }
 
-void NewtonIteration::use_rule(bool doubtful) {
+void NewtonIteration::use_rule(bool doubtful, std::function<bool(N_Vector)> admits) {
   doubtful_ = doubtful;
+  admits_ = std::move(admits);
   require_success(SUNNonlinSolSetConvTestFn(solver_.get(), test, this), "SUNNonlinSolSetConvTestFn");
 }
 
-int NewtonIteration::test(SUNNonlinearSolver solver, N_Vector /*iterate*/, N_Vector correction, realtype tolerance,
+int NewtonIteration::test(SUNNonlinearSolver solver, N_Vector total, N_Vector correction, realtype tolerance,
                           N_Vector weights, void* data) {
   auto& me = *static_cast<NewtonIteration*>(data);
   int iteration = 0;
@@ -45,7 +46,7 @@ int NewtonIteration::test(SUNNonlinearSolver solver, N_Vector /*iterate*/, N_Vec
     near = rate < 1 && size * rate / (1 - rate) <= tolerance;
   }
   if (near && size * expected <= tolerance && largest_move(correction, weights) * expected <= largest)
-    return SUN_NLS_SUCCESS;
+    return me.admits_(total) ? SUN_NLS_SUCCESS : SUN_NLS_CONV_RECVR;
   if (iteration > 0 && size > divergence * me.previous_) return SUN_NLS_CONV_RECVR;
   me.previous_ = size;
   return SUN_NLS_CONTINUE;

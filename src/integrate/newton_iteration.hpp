@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include <sundials/sundials_nonlinearsolver.h>
 
 #include "sundials_support.hpp"
@@ -29,17 +31,20 @@ class NewtonIteration {
   [[nodiscard]] SUNNonlinearSolver get() const { return solver_.get(); }
   /// Once the integrator has the solver, which sets its own rule.
   /// @param doubtful  the matrix is not the tangent (friction): small corrections alone do not mean convergence
-  void use_rule(bool doubtful);
+  /// @param admits   asked of the correction of the prediction that the iteration ends with; if it says no, the step
+  ///                 fails, to be tried again smaller
+  void use_rule(bool doubtful, std::function<bool(N_Vector)> admits);
 
  private:
   struct Free {
     void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
   };
-  static int test(SUNNonlinearSolver solver, N_Vector iterate, N_Vector correction, realtype tolerance,
+  static int test(SUNNonlinearSolver solver, N_Vector total, N_Vector correction, realtype tolerance,
                   N_Vector weights, void* data);
 
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, Free> solver_;
   bool doubtful_ = false;
+  std::function<bool(N_Vector)> admits_;
   double rate_ = 1, previous_ = 0;
 };
 

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include <arkode/arkode_erkstep.h>
 #include <fmt/format.h>
@@ -54,7 +55,22 @@ class RungeKutta4 final : public SundialsIntegrator {
 
   StepReport step(double end) override {
     require_success(ERKStepSetStopTime(memory_.get(), end), "ERKStepSetStopTime");
-    const int flag = ERKStepEvolve(memory_.get(), end, y_.get(), &time_, ARK_ONE_STEP);
+    const Vector before = y_.values();
+    const double from = time_;
+    int flag = ERKStepEvolve(memory_.get(), end, y_.get(), &time_, ARK_ONE_STEP);
+    bool halved = false;
+    for (int halvings = 1; flag >= 0 && !guard_.admits(time_, y_.values().head(form_.size() / 2)); ++halvings) {
+      if (halvings > most_halvings)
+        throw IntegrationFailure(fmt::format("{}, at t = {:.6g} s, however small the step",
+                                             describe(*guard_.refusal()), from));
+      halved = true;
+      y_.values() = before;
+      require_success(ERKStepReset(memory_.get(), from, y_.get()), "ERKStepReset");
+      require_success(ERKStepSetFixedStep(memory_.get(), std::ldexp(options_.fixed_step, -halvings)),
+                      "ERKStepSetFixedStep");
+      flag = ERKStepEvolve(memory_.get(), end, y_.get(), &time_, ARK_ONE_STEP);
+    }
+    if (halved) require_success(ERKStepSetFixedStep(memory_.get(), options_.fixed_step), "ERKStepSetFixedStep");
     carrier_.rethrow();
     const double speed = y_.values().tail(form_.size() / 2).cwiseAbs().maxCoeff();
     if (flag < 0 || !(speed < absurd_speed))
@@ -64,10 +80,12 @@ class RungeKutta4 final : public SundialsIntegrator {
           time_, options_.fixed_step));
     StepReport report{.time = time_, .order = 4, .event = flag == ARK_ROOT_RETURN};
     ERKStepGetLastStep(memory_.get(), &report.step_size);
+    guard_.start_from(time_, y_.values().head(form_.size() / 2));
     return report;
   }
 
  private:
+  static constexpr int most_halvings = 20;
   static constexpr double absurd_speed = 1e4;  // [m/s]; no cloth survives it
   struct Free {
     void operator()(void* memory) const { ERKStepFree(&memory); }

@@ -12,7 +12,7 @@ constexpr double slow = 0.1;
 }  // namespace
 
 SundialsIntegrator::SundialsIntegrator(const System& system, const IntegratorOptions& options, EventSource* events)
-    : form_(system), options_(options), events_(events), y_(form_.size(), context_) {}
+    : form_(system), guard_(system), options_(options), events_(events), y_(form_.size(), context_) {}
 
 void SundialsIntegrator::require_mass(const char* method) const {
   if (form_.system().has_massless_rows())
@@ -24,6 +24,7 @@ void SundialsIntegrator::load(double time, ConstVectorRef q, ConstVectorRef v) {
   y.head(q.size()) = q;
   y.tail(v.size()) = v;
   time_ = time;
+  guard_.start_from(time, q);
 }
 
 void SundialsIntegrator::state(VectorRef q, VectorRef v) const {
@@ -82,6 +83,17 @@ int ImplicitIntegrator::evaluate_weights(N_Vector y, N_Vector weights) {
     weights_.evaluate(sundials::values(y), sundials::values(weights));
     return 0;
   });
+}
+
+bool ImplicitIntegrator::admits(double time, N_Vector predicted, N_Vector correction) {
+  const auto n = form_.size() / 2;
+  bool admitted = true;
+  const int flag = carrier_.run([&] {
+    end_ = sundials::values(predicted).head(n) + sundials::values(correction).head(n);
+    admitted = guard_.admits(time, end_);
+    return 0;
+  });
+  return flag == 0 && admitted;
 }
 
 int ImplicitIntegrator::correct(double time, double c, N_Vector y, ConstVectorRef force, ConstVectorRef r_q,

@@ -4,6 +4,7 @@
 #include "sundrape/integrate/error_weights.hpp"
 #include "sundrape/integrate/first_order_form.hpp"
 #include "sundrape/integrate/integrator.hpp"
+#include "sundrape/integrate/step_guard.hpp"
 
 #include "sundials_support.hpp"
 
@@ -48,6 +49,7 @@ class SundialsIntegrator : public Integrator {
   sundials::ExceptionCarrier carrier_;
   sundials::MessageKeeper messages_;
   FirstOrderForm form_;
+  StepGuard guard_;
   IntegratorOptions options_;
   EventSource* events_;
   sundials::StateVector y_;
@@ -66,6 +68,12 @@ class ImplicitIntegrator : public SundialsIntegrator {
                      EventSource* events);
 
   int evaluate_weights(N_Vector y, N_Vector weights);
+  /// Whether a step may end with the prediction and this correction of it.
+  bool admits(double time, N_Vector predicted, N_Vector correction);
+  /// What a step that fails, however small, fails for: `otherwise`, unless it was to pass cloth through cloth.
+  [[nodiscard]] std::string cause(const std::string& otherwise) const {
+    return guard_.refusal() ? describe(*guard_.refusal()) + ", however small the step" : otherwise;
+  }
   /// Newton's correction x of the iterate y; r_q and r_v as in CondensedNewton, `force` over the unknowns at y [N];
   /// SUNDIALS' flag.
   int correct(double time, double c, N_Vector y, ConstVectorRef force, ConstVectorRef r_q, ConstVectorRef r_v,
@@ -78,6 +86,7 @@ class ImplicitIntegrator : public SundialsIntegrator {
 
  private:
   double last_correction_ = 0;  // |dq| of the iteration before
+  Vector end_;                  // rows, of a step
 };
 
 }  // namespace sundrape

@@ -70,17 +70,23 @@ std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sect
 }
 
 ContactCase resolve_contact(const CaseSection& section, double thickness) {
-  if (section.boolean("self")) section.fail("self", "true is not available in this version; accepted: false");
   ContactCase contact;
+  contact.self = section.boolean("self");
+  contact.friction = section.number("friction");
   contact.thickness = section.maybe_number("thickness").value_or(thickness);
   contact.stiffness = section.maybe_number("stiffness");
   contact.smoothing = section.maybe_number("smoothing").value_or(0.1 * contact.thickness);
   contact.penetration = section.maybe_number("penetration").value_or(0.1 * contact.thickness);
+  if (contact.self && !(contact.smoothing < contact.thickness))
+    section.fail("smoothing", fmt::format("{:.4g} m is not less than contact.thickness = {:.4g} m, as cloth that touches "
+                                          "cloth needs it",
+                                          contact.smoothing, contact.thickness));
   contact.restitution = section.maybe_number("restitution");
   contact.friction_speed = section.number("friction_speed");
   contact.restitution_speed = section.number("restitution_speed");
   contact.subdivision = section.integer("subdivision");
   if (contact.restitution) {
+    if (contact.self) section.fail("restitution", "impacts know obstacles only; leave one of it and contact.self out");
     if (section.has("subdivision") && contact.subdivision != 1)
       section.fail("subdivision", "impacts happen to nodes: with contact.restitution it can only be 1");
     contact.subdivision = 1;

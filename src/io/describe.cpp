@@ -176,6 +176,8 @@ void describe_obstacle(CaseDescription& out, const ObstacleCase& obstacle, std::
 void describe_contact(CaseDescription& out, const ContactCase& contact) {
   out.heading("contact");
   out.enter("contact", "contact");
+  out.verbatim("self", contact.self ? "true" : "false");
+  if (contact.self) out.number("friction", contact.friction);
   out.number("thickness", contact.thickness);
   out.maybe_number("stiffness", contact.stiffness);
   out.number("smoothing", contact.smoothing);

@@ -48,7 +48,8 @@ const std::vector<Meaning>& table() {
       {"/frames/energy/method_dissipated", "J", "energy lost by the time integration itself since the start"},
       {"/frames/residual", "1", "norm of the out-of-balance force over the norm of the external force"},
       {"/frames/negative_pivots", "1", "negative pivots of the tangent stiffness, 0 where stable; -1: not evaluated"},
-      {"/frames/penetration", "m", "deepest penetration into an obstacle"},
+      {"/frames/penetration", "m", "deepest penetration into an obstacle, or of cloth into cloth"},
+      {"/frames/crossings", "1", "pairs of triangles of the cloth that intersect"},
       {"/frames/contact_force_sum", "N", "sum of the contact forces on the cloth"},
       {"/frames/reaction/*", "N", "force that the cloth exerts on a fixed or moved set"},
       {"/frames/reaction_moment/*", "N m",
@@ -144,6 +145,7 @@ Series frame_series(const ResultHeader& header) {
   columns.push_back(column("/frames/residual"));
   columns.push_back(column("/frames/negative_pivots", {}, hdf5::Element::int64));
   columns.push_back(column("/frames/penetration"));
+  columns.push_back(column("/frames/crossings", {}, hdf5::Element::int64));
   columns.push_back(column("/frames/contact_force_sum", {3}));
   for (const auto& set : header.reaction_sets)
     columns.push_back(column("/frames/reaction/" + layout::link_name(set), {3}));

@@ -175,6 +175,7 @@ void ResultWriter::append_frame(const Frame& frame) {
   add(std::span(&frame.residual, 1));
   file.append(SeriesIndex::frames, column++, std::int64_t{frame.negative_pivots});
   add(std::span(&frame.penetration, 1));
+  file.append(SeriesIndex::frames, column++, frame.crossings);
   add(std::span(contact_sum.data(), 3));
   for (const auto& reaction : frame.reactions) add(std::span(reaction.data(), 3));
   for (const auto& moment : frame.moments) add(std::span(moment.data(), 3));

@@ -139,6 +139,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
       for (int halving = 0; halving <= most_halvings; ++halving, step *= 0.5) {
         tried = q;
         unknowns.scatter(rows_q + step, tried);
+        if (system.passage(balance.state(q), balance.state(tried))) continue;
         const double residual = balance.evaluate(tried);
         const double rise = -0.5 * step.dot(force + balance.rows());
         if (!std::isfinite(residual) || (options.largest_rise > 0 && rise > options.largest_rise)) continue;

@@ -107,6 +107,7 @@ StageFollower::Failure StageFollower::step() {
     if (found.converged && to.load_factor > 1 + same_load) found = back_to_full_load(to);
     // where a contact closes the path has a kink, which no shorter step avoids
     if (found.converged && !first && halvings < halvings_for_a_kink && strays(to, sense)) found.converged = false;
+    if (found.converged && passes(to)) found.converged = false;
     if (found.converged && options_.fall && to.load_factor <= at_.load_factor) found.converged = false;
     if (found.converged) {
       const double predicted = std::abs(load) * by_load_.cwiseAbs().maxCoeff();
@@ -161,6 +162,12 @@ Correction StageFollower::back_to_full_load(PathPoint& to) {
   const auto found = correct_at_load(solver_, to, report());
   at_.iterations += found.iterations;
   return found;
+}
+
+bool StageFollower::passes(const PathPoint& to) const {
+  return system_
+      .passage(solver_.equations.state(at_.q, at_.load_factor), solver_.equations.state(to.q, to.load_factor))
+      .has_value();
 }
 
 bool StageFollower::strays(const PathPoint& to, double sense) const {

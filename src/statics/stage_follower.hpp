@@ -27,6 +27,8 @@ class StageFollower {
   Correction correct(PathPoint& to, double length);
   /// From an equilibrium beyond the full load to one under it.
   Correction back_to_full_load(PathPoint& to);
+  /// Whether a step would lead cloth through cloth.
+  [[nodiscard]] bool passes(const PathPoint& to) const;
   /// Whether a step has gone another way than predicted.
   [[nodiscard]] bool strays(const PathPoint& to, double sense) const;
   /// @param length  of the step; 0: whatever it comes to

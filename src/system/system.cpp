@@ -37,6 +37,10 @@ bool System::adapt(const State& all) const {
   return as_before;
 }
 
+bool System::watches_passages() const {
+  return std::ranges::any_of(terms_, [](const auto& term) { return term->watches_passages(); });
+}
+
 std::optional<Passage> System::passage(const State& from, const State& to) const {
   for (const auto& term : terms_)
     if (auto found = term->passage(from, to)) return found;

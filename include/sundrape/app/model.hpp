@@ -6,6 +6,7 @@
 
 #include "sundrape/force/bend_springs.hpp"
 #include "sundrape/force/clamp_springs.hpp"
+#include "sundrape/force/cloth_contact.hpp"
 #include "sundrape/force/director_length.hpp"
 #include "sundrape/force/obstacle_contact.hpp"
 #include "sundrape/force/shell_gauges.hpp"
@@ -43,6 +44,8 @@ struct CaseModel {
   double director_length = 0;  // ℓ of a shell, whose node i has the director point N + i [m]; 0 of a particle net
   Vector rate_slack;           // how many times larger the errors of rates may be: rows, n; empty: 1
   const ObstacleContact* contact = nullptr;   // owned by the system; null without obstacles
+  const ClothContact* cloth_contact = nullptr;  // owned by the system; null where cloth may pass through cloth
+  SheetSurface surface;                         // of the mesh
   const DirectorLength* directors = nullptr;  // owned by the system; null of a particle net
   std::vector<ClampSprings*> clamps;          // owned by the system
   std::vector<const BendSprings*> bends;  // owned by the system; measured laws of warp and weft are terms of their own
@@ -60,6 +63,11 @@ struct CaseModel {
 
   /// What forces are compared with where nothing loads the cloth [N].
   [[nodiscard]] double force_scale() const { return area_weight * size * size; }
+  /// Whether anything rubs.
+  [[nodiscard]] bool has_friction() const {
+    return (contact != nullptr && contact->has_friction()) ||
+           (cloth_contact != nullptr && cloth_contact->options().friction > 0);
+  }
   /// Of all nodes under `gravity`, whether that acts or not [N].
   [[nodiscard]] double nominal_weight() const { return system->mass().head(mesh.nodes()).sum() * gravity; }
 

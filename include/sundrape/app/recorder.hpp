@@ -68,6 +68,8 @@ class Recorder {
 
   [[nodiscard]] const RunClock& clock() const { return clock_; }
   [[nodiscard]] const Extremes& extremes() const { return extremes_; }
+  /// Time or load factor of the first frame, since the start or a resume, in which cloth intersects cloth.
+  [[nodiscard]] const std::optional<double>& first_crossing() const { return first_crossing_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] std::uint64_t frames() const { return writer_.frames(); }
 
@@ -80,6 +82,7 @@ class Recorder {
   ResultWriter writer_;
   XdmfWriter xdmf_;
   Extremes extremes_;
+  std::optional<double> first_crossing_;
   Frame last_;
   std::vector<std::string> warnings_;
   std::vector<Statistic> statistics_;

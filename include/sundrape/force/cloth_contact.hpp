@@ -50,6 +50,7 @@ class ClothContact final : public ForceTerm {
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
   [[nodiscard]] bool adapt(const State& state) const override;
   void declare_pattern(Pattern& pattern) const override;
+  [[nodiscard]] bool watches_passages() const override { return true; }
   [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const override;
 
   [[nodiscard]] const ContactLaw& law() const { return law_; }

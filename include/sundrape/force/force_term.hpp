@@ -51,6 +51,8 @@ class ForceTerm {
   /// Whether the elements declared last do for the tangent at a state; if not, brings them up to date, to be declared
   /// anew. What a term computes never depends on it.
   [[nodiscard]] virtual bool adapt(const State& /*state*/) const { return true; }
+  /// Whether there is anything that nodes must not pass through.
+  [[nodiscard]] virtual bool watches_passages() const { return false; }
   /// What nodes that go straight from one state to another would pass through; nothing if they may.
   [[nodiscard]] virtual std::optional<Passage> passage(const State& /*from*/, const State& /*to*/) const {
     return std::nullopt;

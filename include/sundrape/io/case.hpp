@@ -197,6 +197,8 @@ struct ObstacleCase {
 };
 
 struct ContactCase {
+  bool self = false;                  // cloth touches cloth
+  double friction = 0;                // coefficient of Coulomb's friction of cloth on cloth
   std::optional<double> stiffness;    // pressure per depth [N/m³]; default from the load and the penetration allowed
   int subdivision = 2;                // contact points cut the sides of a cell into so many parts; 1: nodes alone
   double smoothing = 0;               // distance over which the force sets in [m]; default 0.1 thickness
@@ -204,7 +206,7 @@ struct ContactCase {
   std::optional<double> restitution;  // in [0, 1]; absent: no impact law
   double restitution_speed = 0.05;    // impacts slower than this are left to the penalty force [m/s]
   double friction_speed = 1e-4;       // below which friction is viscous instead of holding [m/s]
-  double thickness = 0;               // scale of the two defaults above [m]; default the material's
+  double thickness = 0;               // at which distance layers lie on each other [m]; default the material's
 };
 
 enum class IntegratorKind { cvode, ida, rk4 };

@@ -101,7 +101,8 @@ struct Frame {
   FrameEnergies energies;
   double residual = 0;                  // |out-of-balance force| / |external force|
   int negative_pivots = -1;             // of the tangent; −1: not evaluated
-  double penetration = 0;               // deepest, into an obstacle [m]
+  double penetration = 0;               // deepest, into an obstacle or of cloth into cloth [m]
+  std::int64_t crossings = 0;           // pairs of triangles of the cloth that intersect
   std::vector<Vector3> reactions;       // force that the cloth exerts on each reaction set [N]
   std::vector<Vector3> moments;         // its moment about the mean position of the set's nodes [N m]
   std::vector<ObstaclePose> obstacles;  // one an obstacle of the header; may be empty: as there, without forces

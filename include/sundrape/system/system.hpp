@@ -35,6 +35,7 @@ class System {
   /// that touches cloth). If not, it is another one from now on: matrices are to be made anew, and solvers to analyse
   /// it.
   [[nodiscard]] bool adapt(const State& all) const;
+  [[nodiscard]] bool watches_passages() const;
   /// What a step straight from one state to another would have pass through each other.
   [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const;
 
