@@ -67,19 +67,21 @@ void ClothContact::search(const ConstVectorRef& q, double margin) const {
   ++searches_;
   candidates_.clear();
   if (!searched_at_.allFinite()) return;  // whoever asked will notice
-  for (const auto& pair : pairs_.within(reach() + margin, searched_at_)) candidates_.push_back({pair, -1});
+  for (const auto& [pair, distance] : pairs_.within(reach() + margin, searched_at_))
+    candidates_.push_back({pair, distance, -1});
   list_elements();
 }
 
-void ClothContact::require_candidates(const ConstVectorRef& q) const {
+double ClothContact::require_candidates(const ConstVectorRef& q) const {
   ++uses_;
   const double moved = moved_since_search(q);
-  if (moved <= 0.5 * margin_) return;
+  if (moved <= 0.5 * margin_) return moved;
   double margin = margin_;
   if (searches_ > 0 && uses_ < short_life) margin *= 2;
   if (uses_ > long_life) margin *= 0.5;
   const double least = least_margin * options_.thickness;
   search(q, std::clamp(margin, least, std::max(least, largest_margin * mean_edge_)));
+  return 0;
 }
 
 /// Tells candidates which element they are.
@@ -116,10 +118,25 @@ void ClothContact::declare_pattern(Pattern& pattern) const {
   for (const auto& pair : elements_) pattern.add_element(pair.points);
 }
 
+bool ClothContact::may_be_within(double near, const Candidate& candidate, const ConstVectorRef& q) const {
+  const auto& points = candidate.pair.points;
+  const std::size_t count = points_of(candidate.pair.shapes), first = candidate.pair.shapes == Shapes::edge_edge ? 2 : 1;
+  std::array<Vector3, 4> moved;
+  for (std::size_t k = 0; k < count; ++k) moved[k] = point(q, points[k]) - point(searched_at_, points[k]);
+  double most = 0;  // a way between the shapes changes by a mean of such differences
+  for (std::size_t a = 0; a < first; ++a)
+    for (std::size_t b = first; b < count; ++b) most = std::max(most, (moved[a] - moved[b]).squaredNorm());
+  const double slack = candidate.distance - near;
+  return slack <= 0 || most >= slack * slack;
+}
+
 template <class Visit>
 void ClothContact::visit(const State& state, Visit&& visit) const {
-  require_candidates(state.q);
-  for (const auto& [pair, element] : candidates_) {
+  const double nearer = 2 * require_candidates(state.q);
+  for (const auto& candidate : candidates_) {
+    const auto& [pair, distance, element] = candidate;
+    const double near = rest_distance(pair.shapes) + law_.smoothing();
+    if (distance - nearer > near || !may_be_within(near, candidate, state.q)) continue;
     const auto x = pair.at(state.q);
     const auto s = separation(pair.shapes, x);
     const double gap = s.distance - rest_distance(pair.shapes);
@@ -238,7 +255,9 @@ std::optional<Passage> ClothContact::passage(const State& from, const State& to)
     search(from.q, std::max(margin_, 2 * std::sqrt(most)));
   }
   const double clearance = least_clearance * options_.thickness;
-  for (const auto& [pair, element] : candidates_) {
+  const double nearer = 2 * std::max(moved_since_search(from.q), moved_since_search(to.q));
+  for (const auto& [pair, distance, element] : candidates_) {
+    if (distance - nearer > clearance) continue;
     if (pair.shapes != Shapes::point_triangle && pair.shapes != Shapes::edge_edge) continue;
     if (const auto met = first_contact(pair.shapes, pair.at(from.q), pair.at(to.q), clearance))
       return Passage{passage_text(pair), mean_place(pair.at(from.q), met->weights)};

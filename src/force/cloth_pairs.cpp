@@ -19,12 +19,13 @@ Eigen::AlignedBox3d box_around(const ClothPair& pair, const std::array<Vector3, 
 }
 
 /// Adds a pair unless it is further apart than `reach`.
-void add_if_near(const ClothPair& pair, double reach, const ConstVectorRef& q, std::vector<ClothPair>& pairs) {
+void add_if_near(const ClothPair& pair, double reach, const ConstVectorRef& q, std::vector<NearPair>& pairs) {
   const auto x = pair.at(q);
   const std::size_t first_shape = pair.shapes == Shapes::edge_edge ? 2 : 1;
   const auto a = box_around(pair, x, 0, first_shape), b = box_around(pair, x, first_shape, 4);
   if (a.squaredExteriorDistance(b) > reach * reach) return;
-  if (separation(pair.shapes, x).distance <= reach) pairs.push_back(pair);
+  const double distance = separation(pair.shapes, x).distance;
+  if (distance <= reach) pairs.push_back({pair, distance});
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ bool ClothPairs::apart_from_triangle(int node, int triangle) const {
 }
 
 void ClothPairs::add_from_node(int node, std::size_t quad, double reach, const ConstVectorRef& q,
-                               std::vector<ClothPair>& pairs) const {
+                               std::vector<NearPair>& pairs) const {
   const double half = 0.5 * surface_.node_areas[static_cast<std::size_t>(node)];
   for (const std::size_t t : {2 * quad, 2 * quad + 1}) {
     const auto& [a, b, c] = surface_.triangles[t];
@@ -77,7 +78,7 @@ void ClothPairs::add_from_node(int node, std::size_t quad, double reach, const C
 }
 
 void ClothPairs::add_of_edges(int a, int b, double reach, const ConstVectorRef& q,
-                              std::vector<ClothPair>& pairs) const {
+                              std::vector<NearPair>& pairs) const {
   const auto &first = surface_.edges[static_cast<std::size_t>(a)],
              &second = surface_.edges[static_cast<std::size_t>(b)];
   const std::array<int, 2> ends{second.i, second.j};
@@ -90,7 +91,7 @@ void ClothPairs::add_of_edges(int a, int b, double reach, const ConstVectorRef& 
               reach, q, pairs);
 }
 
-std::vector<ClothPair> ClothPairs::within(double reach, ConstVectorRef q) const {
+std::vector<NearPair> ClothPairs::within(double reach, ConstVectorRef q) const {
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(quads_.size());
   for (const auto& quad : quads_) {
@@ -100,7 +101,7 @@ std::vector<ClothPair> ClothPairs::within(double reach, ConstVectorRef q) const 
     box.max().array() += 0.5 * reach;
     boxes.push_back(box);
   }
-  std::vector<ClothPair> pairs;
+  std::vector<NearPair> pairs;
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
     for (const int n : owned_[a].nodes) add_from_node(n, b, reach, q, pairs);

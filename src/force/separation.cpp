@@ -5,10 +5,9 @@
 namespace sundrape {
 namespace {
 
-Separation finish(Separation s, const std::array<Vector3, 4>& x, std::size_t points) {
-  for (std::size_t k = 0; k < points; ++k) s.way += s.weights[k] * x[k];
+void finish(Separation& s, const std::array<Vector3, 4>& x) {
+  s.way = s.weights[0] * x[0] + s.weights[1] * x[1] + s.weights[2] * x[2] + s.weights[3] * x[3];
   s.distance = s.way.norm();
-  return s;
 }
 
 /// Point 0 and the edge between points i and j, as one of the four points' shapes.
@@ -29,7 +28,8 @@ Separation from_edge(const std::array<Vector3, 4>& x, std::size_t i, std::size_t
     s.by_slide[0][i] = 1;
     s.by_slide[0][j] = -1;
   }
-  return finish(s, x, 4);
+  finish(s, x);
+  return s;
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ Separation from_edge(const std::array<Vector3, 4>& x, std::size_t i, std::size_t
 Separation separation_of_points(const std::array<Vector3, 4>& x) {
   Separation s;
   s.weights = {1, -1, 0, 0};
-  return finish(s, x, 2);
+  finish(s, x);
+  return s;
 }
 
 Separation separation_from_edge(const std::array<Vector3, 4>& x) { return from_edge(x, 1, 2); }
@@ -54,7 +55,8 @@ Separation separation_from_triangle(const std::array<Vector3, 4>& x) {
     s.weights = {1, at_a + at_b - 1, -at_a, -at_b};
     s.slides = 2;
     s.by_slide = {std::array<double, 4>{0, 1, -1, 0}, std::array<double, 4>{0, 1, 0, -1}};
-    return finish(s, x, 4);
+    finish(s, x);
+    return s;
   }
   // on the nearest edge among those that the foot lies beyond
   Separation nearest;
@@ -84,7 +86,8 @@ Separation separation_of_edges(const std::array<Vector3, 4>& x) {
   separation.weights = {1 - s, s, t - 1, -t};
   if (s > 0 && s < 1) separation.by_slide[static_cast<std::size_t>(separation.slides++)] = {-1, 1, 0, 0};
   if (t > 0 && t < 1) separation.by_slide[static_cast<std::size_t>(separation.slides++)] = {0, 0, 1, -1};
-  return finish(separation, x, 4);
+  finish(separation, x);
+  return separation;
 }
 
 Separation separation(Shapes shapes, const std::array<Vector3, 4>& x) {

@@ -51,7 +51,7 @@ Vector forces(const ForceTerm& term, const State& state) {
 /// Which parts of their shapes all pairs in reach have nearest to each other.
 std::vector<int> features(const ClothPairs& pairs, const Vector& q) {
   std::vector<int> features;
-  for (const auto& pair : pairs.within(1.2 * thickness, q)) {
+  for (const auto& [pair, distance] : pairs.within(1.2 * thickness, q)) {
     const auto s = separation(pair.shapes, pair.at(q));
     for (const double w : s.weights) features.push_back(w != 0 ? 1 : 0);
   }

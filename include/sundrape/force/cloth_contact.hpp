@@ -66,6 +66,7 @@ class ClothContact final : public ForceTerm {
  private:
   struct Candidate {
     ClothPair pair;
+    double distance;       // when it was found [m]
     std::int32_t element;  // among those declared; −1: not
   };
   /// A pair that presses.
@@ -83,7 +84,10 @@ class ClothContact final : public ForceTerm {
   [[nodiscard]] double rest_distance(Shapes shapes) const;
   /// Candidates for all states whose nodes are near q.
   void search(const ConstVectorRef& q, double margin) const;
-  void require_candidates(const ConstVectorRef& q) const;
+  /// How far nodes have moved, at most, since the candidates at hand were found [m].
+  double require_candidates(const ConstVectorRef& q) const;
+  /// Whether a candidate can have come nearer than `distance` since it was found.
+  [[nodiscard]] bool may_be_within(double distance, const Candidate& candidate, const ConstVectorRef& q) const;
   void list_elements() const;
   /// Whether a pair presses, or soon may.
   [[nodiscard]] bool couples(const ClothPair& pair, const ConstVectorRef& q) const;

@@ -23,6 +23,12 @@ struct ClothPair {
   }
 };
 
+/// A pair and how far it is apart [m].
+struct NearPair {
+  ClothPair pair;
+  double distance;
+};
+
 /// Finds what of a surface is near what.
 ///
 /// Nodes are paired with triangles, and edges with edges. Next to an edge between two triangles a node is as near to
@@ -37,7 +43,7 @@ class ClothPairs {
   ClothPairs(const QuadMesh& mesh, double excluded);
 
   /// All pairs that are at most `reach` apart, in an order that depends on the pairs alone.
-  [[nodiscard]] std::vector<ClothPair> within(double reach, ConstVectorRef q) const;
+  [[nodiscard]] std::vector<NearPair> within(double reach, ConstVectorRef q) const;
 
   [[nodiscard]] const SheetSurface& surface() const { return surface_; }
 
@@ -51,8 +57,8 @@ class ClothPairs {
   [[nodiscard]] bool apart_from(int node, const Nodes& nodes) const;
   [[nodiscard]] bool apart_from_triangle(int node, int triangle) const;
   void add_from_node(int node, std::size_t quad, double reach, const ConstVectorRef& q,
-                     std::vector<ClothPair>& pairs) const;
-  void add_of_edges(int a, int b, double reach, const ConstVectorRef& q, std::vector<ClothPair>& pairs) const;
+                     std::vector<NearPair>& pairs) const;
+  void add_of_edges(int a, int b, double reach, const ConstVectorRef& q, std::vector<NearPair>& pairs) const;
 
   SheetSurface surface_;
   std::vector<std::array<int, 4>> quads_;

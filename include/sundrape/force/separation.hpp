@@ -25,7 +25,7 @@ struct Separation {
   std::array<std::array<double, 4>, 2> by_slide{};  // ∂w/∂s
 };
 
-/// Points 0 and 1.
+/// Points 0 and 1. Points that a shape does not have are anywhere, but finite.
 [[nodiscard]] Separation separation_of_points(const std::array<Vector3, 4>& x);
 /// Point 0 and the edge from point 1 to point 2.
 [[nodiscard]] Separation separation_from_edge(const std::array<Vector3, 4>& x);
