@@ -112,7 +112,7 @@ std::optional<CoarserCase> coarser(const Case& c, const CaseModel& model) {
 
 std::vector<CoarserCase> coarser_cases(const Case& c, const CaseModel& model) {
   std::vector<CoarserCase> cases;
-  if (model.mesh.nodes() < least_nodes) return cases;
+  if (model.mesh.nodes() < least_nodes || c.pieces() > 1) return cases;
   auto next = coarser(c, model);
   while (next) {
     cases.push_back(std::move(*next));

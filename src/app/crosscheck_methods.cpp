@@ -41,7 +41,7 @@ std::vector<Method> crosscheck_methods(const Case& c, const CaseModel& model) {
 
 std::vector<std::string> common_settings(const Case& c) {
   if (c.cloth.waviness_given || c.cloth.start) return {};
-  return {fmt::format("cloth.waviness={{ amplitude = {:.6g}, seed = 1 }}", default_waviness(c))};
+  return {fmt::format("cloth.waviness={{ amplitude = {:.6g}, seed = 1 }}", default_waviness(c.piece_at(0)))};
 }
 
 }  // namespace sundrape

@@ -20,11 +20,19 @@ using Clock = std::chrono::steady_clock;
 
 /// The law of friction begins with the slope 3 μ p/s₀; edges of obstacles carry several times the weight above them.
 ContactRates contact_rates(const Case& c, const CaseModel& model) {
-  if (model.contact == nullptr) return {};
-  const double stiffness = model.contact->law().stiffness(), density = c.fabric.area_density;
+  double density = c.fabric.area_density, stiffness = 0, friction = 0;
+  for (const auto& piece : c.further) density = std::min(density, piece.fabric.area_density);
+  if (model.contact != nullptr) {
+    stiffness = model.contact->law().stiffness();
+    friction = model.contact->largest_friction();
+  }
+  if (model.cloth_contact != nullptr) {  // of two layers each other's: twice as stiff for half the mass
+    stiffness = std::max(stiffness, 4 * model.cloth_contact->law().stiffness());
+    friction = std::max(friction, 2 * model.cloth_contact->options().friction);
+  }
   constexpr double concentration = 10;
-  const double friction = model.contact->largest_friction() * concentration * model.area_weight;
-  return {std::sqrt(stiffness / density), 3 * friction / model.contact->friction_law().speed() / density};
+  const double push = concentration * model.area_weight;
+  return {std::sqrt(stiffness / density), 3 * friction * push / c.contact.friction_speed / density};
 }
 
 /// With all grippers open: what they hold at the start they may let go of.
@@ -111,8 +119,9 @@ class Watch final : public DynamicsObserver {
     recorder_.frame(all, balance);
     last_frame_ = all.time;
     if (case_.contact.self && recorder_.first_crossing() && !mishap_)
-      tangle_ = "cloth has passed through cloth (/frames/crossings): try a smaller dynamics.rtol or max_step, a thicker "
-                "or stiffer contact, or a finer mesh";
+      tangle_ =
+          "cloth has passed through cloth (/frames/crossings): try a smaller dynamics.rtol or max_step, a thicker "
+          "or stiffer contact, or a finer mesh";
   }
 
   void step(const State& all, const StepReport& report, const Integrator& integrator) override {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -11,15 +12,15 @@
 #include "sundrape/force/dead_load.hpp"
 #include "sundrape/force/drag.hpp"
 #include "sundrape/force/pressure.hpp"
+#include "sundrape/force/wind.hpp"
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/file_error.hpp"
-#include "sundrape/mesh/builders.hpp"
 #include "sundrape/mesh/crossings.hpp"
 #include "sundrape/mesh/directors.hpp"
-#include "sundrape/mesh/import.hpp"
 #include "sundrape/mesh/waviness.hpp"
 
 #include "pick.hpp"
+#include "pieces.hpp"
 #include "sheet.hpp"
 #include "support_builder.hpp"
 
@@ -32,22 +33,6 @@ struct Overload : Visitors... {
 };
 template <class... Visitors>
 Overload(Visitors...) -> Overload<Visitors...>;  // clang deduces it by itself from version 17 on
-
-QuadMesh build_mesh(const ClothCase& cloth) {
-  return std::visit(
-      Overload{
-          [](const RectangleShape& s) { return rectangle(s.length, s.width, s.cells_warp, s.cells_weft); },
-          [](const DiscShape& s) { return disc(s.radius, s.cells); },
-          [](const AnnulusShape& s) { return annulus(s.inner_radius, s.outer_radius, s.cells_radial, s.cells_around); },
-          [](const MeshShape& s) {
-            try {
-              return read_obj(s.file, s.unit);
-            } catch (const std::exception& problem) {
-              throw CaseError(s.source, problem.what());
-            }
-          }},
-      cloth.shape);
-}
 
 Vector flatten(const std::vector<Vector3>& positions) {
   Vector q(static_cast<Eigen::Index>(3 * positions.size()));
@@ -112,34 +97,68 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
                  },
                  [&](const PressureLoad& p) {
                    terms.push_back(std::make_unique<Pressure>(model.mesh.quads, p.value, course));
+                 },
+                 [&](const WindLoad& w) {
+                   auto field = w.field;
+                   if (c.analysis != Analysis::dynamics) field.gust.setZero();
+                   terms.push_back(std::make_unique<Wind>(model.mesh.quads, field, w.air, course));
                  }},
         load.load);
   }
   model.weight = sheet.mass.head(model.mesh.nodes()).sum() * gravity.norm();
   model.gravity = gravity.norm() > 0 ? gravity.norm() : 9.80665;
-  model.area_weight = c.fabric.area_density * model.gravity;
+  model.area_weight = 0;
+  for (std::size_t k = 0; k < c.pieces(); ++k)
+    model.area_weight = std::max(model.area_weight, c.piece_at(k).fabric.area_density * model.gravity);
+}
+
+/// Drag of the air as a part of each piece's mass.
+void add_drag(const Case& c, const CaseModel& model, Sheet& sheet) {
+  for (std::size_t k = 0; k < c.pieces(); ++k) {
+    const double rate = c.piece_at(k).fabric.damping.mass;
+    if (rate == 0) continue;
+    Vector mass = Vector::Zero(sheet.mass.size());
+    const auto& piece = model.pieces[k];
+    for (int first = 0; first < mass.size(); first += model.mesh.nodes())  // positions, then directors
+      mass.segment(first + piece.first_node, piece.nodes) = sheet.mass.segment(first + piece.first_node, piece.nodes);
+    sheet.terms.push_back(std::make_unique<Drag>(mass, rate));
+  }
 }
 
 /// Stiffness of contact [N/m³], unless the case says so.
 double contact_stiffness(const Case& c, const CaseModel& model) {
   // finer nets spread a load over several points
-  const double part_of_bending_length =
-      0.125 * std::cbrt(std::max(c.fabric.warp_bending, c.fabric.weft_bending) / model.area_weight);
+  double bending = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < c.pieces(); ++k) {
+    const auto fabric = c.piece_at(k).fabric;
+    bending = std::min(bending, std::max(fabric.warp_bending, fabric.weft_bending));
+  }
+  const double part_of_bending_length = 0.125 * std::cbrt(bending / model.area_weight);
   return c.contact.stiffness.value_or(suggested_stiffness(
       {.weight_per_area = model.area_weight,
-       .diagonal = diagonal(model.mesh),
+       .diagonal = model.diagonal,
        .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, part_of_bending_length)},
       c.contact.penetration));
+}
+
+/// At which distance each node's sheet lies on one like itself, N [m].
+std::vector<double> thicknesses(const Case& c, const CaseModel& model) {
+  std::vector<double> of_nodes(static_cast<std::size_t>(model.mesh.nodes()), c.contact.thickness);
+  if (c.contact.thickness_given) return of_nodes;
+  for (std::size_t k = 0; k < c.pieces(); ++k) {
+    const auto& piece = model.pieces[k];
+    std::fill_n(of_nodes.begin() + piece.first_node, piece.nodes, c.piece_at(k).fabric.thickness);
+  }
+  return of_nodes;
 }
 
 void add_cloth_contact(const Case& c, CaseModel& model, Terms& terms) {
   if (!c.contact.self) return;
   constexpr double not_neighbours = 2;  // thicknesses: a fold as sharp as it can be, π/2 along the sheet, is none
   auto term = std::make_unique<ClothContact>(
-      ClothPairs(model.mesh, not_neighbours * c.contact.thickness),
+      ClothPairs(model.mesh, thicknesses(c, model), not_neighbours),
       ContactLaw(contact_stiffness(c, model), c.contact.smoothing),
-      ClothContactOptions{.thickness = c.contact.thickness,
-                          .friction = c.analysis == Analysis::dynamics ? c.contact.friction : 0,
+      ClothContactOptions{.friction = c.analysis == Analysis::dynamics ? c.contact.friction : 0,
                           .friction_law = FrictionLaw(c.contact.friction_speed)});
   model.cloth_contact = term.get();
   terms.push_back(std::move(term));
@@ -160,11 +179,11 @@ void require_untangled(const Case& c, const CaseModel& model) {
     pairs += fmt::format("{}{} and {}", p > 0 ? ", " : "", nodes(found[p].first), nodes(found[p].second));
   const auto& [i, j, k] = model.surface.triangles[static_cast<std::size_t>(found.front().first)];
   const Vector3 place = (point(model.initial, i) + point(model.initial, j) + point(model.initial, k)) / 3;
-  throw CaseError({.file = c.file.string(), .key = "cloth"},
-                  fmt::format("the cloth starts by passing through cloth: {} pairs of triangles, with the nodes {}{}, near "
-                              "({:.4g}, {:.4g}, {:.4g}) m; place it apart, or start from another shape",
-                              found.size(), pairs, found.size() > most_named ? ", ..." : "", place.x(), place.y(),
-                              place.z()));
+  throw CaseError(
+      {.file = c.file.string(), .key = "cloth"},
+      fmt::format("the cloth starts by passing through cloth: {} pairs of triangles, with the nodes {}{}, near "
+                  "({:.4g}, {:.4g}, {:.4g}) m; place it apart, or start from another shape",
+                  found.size(), pairs, found.size() > most_named ? ", ..." : "", place.x(), place.y(), place.z()));
 }
 
 void add_contact(const Case& c, CaseModel& model, Terms& terms) {
@@ -181,20 +200,6 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
                                                 FrictionLaw(c.contact.friction_speed));
   model.contact = term.get();
   terms.push_back(std::move(term));
-}
-
-double longest_side(const std::vector<Vector3>& positions) {
-  Eigen::AlignedBox3d box;
-  for (const auto& x : positions) box.extend(x);
-  return box.sizes().maxCoeff();
-}
-
-/// Only relaxation from the rest shape has some where the case does not say.
-double waviness(const Case& c) {
-  if (is_wavy_at_rest(c)) return 0;
-  const bool said = c.cloth.waviness_given.value_or(false) || c.cloth.waviness_amplitude > 0;
-  if (said || c.cloth.start || c.analysis != Analysis::relaxation) return c.cloth.waviness_amplitude;
-  return default_waviness(c);
 }
 
 /// Cloth that starts on an obstacle would spring off it, since the contact force sets in above the surface: nodes
@@ -226,17 +231,6 @@ double first_share(const Case& c) {
   return c.analysis == Analysis::arc_length ? c.arc_length.first_increment.front() : 1;
 }
 
-Sheet make_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads, const std::vector<Vector3>& placed,
-                 const Supports& supports) {
-  if (c.model == Model::particle) return net_sheet(c, mesh, threads, placed, supports);
-  try {
-    return shell_sheet(c, mesh);
-  } catch (const std::invalid_argument& problem) {
-    const auto* file = std::get_if<MeshShape>(&c.cloth.shape);
-    throw CaseError(file ? file->source : SourceLine{}, problem.what());
-  }
-}
-
 // Rates of directors matter through the sheet's motion only, and ring at the frequencies of transverse shear.
 constexpr double director_rate_slack = 100;
 
@@ -266,26 +260,29 @@ Vector CaseModel::directors_of(const ConstVectorRef& all) const {
   return all.tail(3 * static_cast<Eigen::Index>(mesh.nodes())) / director_length;
 }
 
-bool is_wavy_at_rest(const Case& c) { return c.cloth.waviness_at_rest.value_or(c.analysis == Analysis::arc_length); }
+bool is_wavy_at_rest(const Case& c, const PieceCase& piece) {
+  return piece.cloth.waviness_at_rest.value_or(c.analysis == Analysis::arc_length);
+}
 
-double default_waviness(const Case& c) { return std::min(1e-5, 0.02 * c.fabric.thickness); }
+double default_waviness(const PieceCase& piece) { return std::min(1e-5, 0.02 * piece.fabric.thickness); }
 
 CaseModel build_model(const Case& c) {
   CaseModel model;
   model.has_inertia = c.analysis == Analysis::dynamics;
-  model.mesh = build_mesh(c.cloth);
-  if (is_wavy_at_rest(c))
-    model.mesh.reference = wavy(model.mesh, model.mesh.reference, c.cloth.waviness_amplitude, c.cloth.waviness_seed);
-  model.size = longest_side(model.mesh.reference);
-  model.placement = placement(c.cloth.place);
-  const auto placed = place(model.mesh.reference, c.cloth.place);
+  const auto cloth = build_cloth(c);
+  const auto& placed = cloth.placed;
+  model.mesh = cloth.mesh;
+  model.pieces = cloth.pieces;
+  model.size = cloth.size;
+  model.diagonal = cloth.diagonal;
+  model.placement = cloth.placement;
   const auto threads = find_threads(model.mesh);
   const SupportBuilder built(c, model, placed);
   const auto& supports = built.at_the_start();
   for (const auto& probe : c.output.probes)
     model.probes.push_back({probe.name, pick(Near{probe.near}, model.mesh, placed, probe.source).front()});
 
-  auto sheet = make_sheet(c, model.mesh, threads, placed, supports);
+  auto sheet = c.model == Model::particle ? net_sheet(c, cloth, threads, supports) : shell_sheet(c, cloth);
   model.edge_strains = EdgeStrains(model.mesh);
   model.director_length = sheet.director_length;
   model.gauges = std::move(sheet.gauges);
@@ -300,13 +297,14 @@ CaseModel build_model(const Case& c) {
     if (const auto* directors = dynamic_cast<const DirectorLength*>(term.get())) model.directors = directors;
   }
   add_loads(c, model, threads, placed, sheet);
-  if (c.fabric.damping.mass > 0) sheet.terms.push_back(std::make_unique<Drag>(sheet.mass, c.fabric.damping.mass));
+  add_drag(c, model, sheet);
   add_contact(c, model, sheet.terms);
   model.surface = SheetSurface(model.mesh);
   add_cloth_contact(c, model, sheet.terms);
 
   const auto earlier = c.cloth.start ? start_of(*c.cloth.start, model.mesh) : ShapeAtRest{placed, {}};
-  auto start = wavy(model.mesh, earlier.positions, waviness(c), c.cloth.waviness_seed);
+  auto start = c.cloth.start ? wavy(model.mesh, earlier.positions, c.cloth.waviness_amplitude, c.cloth.waviness_seed)
+                             : cloth.initial;
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];

@@ -25,7 +25,7 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
   h.title = c.title;
   h.model = c.model == Model::shell ? "shell" : "particle";
   h.director = model.has_directors();
-  h.element_fields = model.gauges && c.output.resultants;
+  h.element_fields = !model.gauges.empty() && c.output.resultants;
   h.analysis = to_string(c.analysis);
   h.frame_variable = c.analysis == Analysis::arc_length ? FrameVariable::load_factor : FrameVariable::time;
   h.case_text = c.text;
@@ -192,8 +192,8 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
   }
   if (model_.cloth_contact)
     f.penetration = std::max(f.penetration, model_.cloth_contact->report(all).deepest_penetration);
-  if (model_.gauges) {
-    const auto readings = model_.gauges->read(all.q);
+  if (!model_.gauges.empty()) {
+    const auto readings = read(model_.gauges, all.q);
     extremes_.largest_membrane_strain =
         std::max(extremes_.largest_membrane_strain, largest_principal_strain(readings.membrane_strain));
     if (header_.element_fields) f.elements = fields_of(readings);

@@ -54,7 +54,8 @@ void report_extremes(const Case& c, Recorder& recorder) {
   const std::string when = dynamics ? "at any time" : "at the end", of_frames = dynamics ? "over the frames" : when;
   recorder.statistic("largest_edge_strain", e.largest_edge_strain, "of a thread segment, " + of_frames);
   recorder.statistic("smallest_edge_strain", e.smallest_edge_strain, "of a thread segment, " + of_frames);
-  recorder.statistic("deepest_penetration_m", e.deepest_penetration, "of a contact point into an obstacle, or of cloth into cloth, " + when);
+  recorder.statistic("deepest_penetration_m", e.deepest_penetration,
+                     "of a contact point into an obstacle, or of cloth into cloth, " + when);
   recorder.statistic("sharpest_bend_deg", e.sharpest_bend * 180 / std::numbers::pi,
                      "turn of a thread from one edge to the next, or of a director along an edge, " + of_frames);
   if (e.deepest_penetration > c.contact.penetration)

@@ -11,6 +11,8 @@
 #include "sundrape/mesh/threads.hpp"
 #include "sundrape/system/unknowns.hpp"
 
+#include "pieces.hpp"
+
 namespace sundrape {
 
 /// What holds the nodes of a sheet.
@@ -28,23 +30,22 @@ struct Supports {
   std::vector<bool> clamped;                       // N: slopes of a particle net
 };
 
-/// The cloth itself as points, masses and force terms: of a particle net its nodes, of a shell its nodes, then its
-/// directors.
+/// The cloth itself, all pieces of it, as points, masses and force terms: of a particle net its nodes, of a shell its
+/// nodes, then its directors.
 struct Sheet {
   std::vector<std::unique_ptr<ForceTerm>> terms;
-  Vector mass;                        // P [kg]; of directors rotary inertia over ℓ², 0 where they have none
-  std::vector<int> order;             // in which points become unknowns, P
-  double director_length = 0;         // ℓ [m]; 0 of a particle net
-  std::optional<ShellGauges> gauges;  // of a shell
-  std::vector<Vector3> directors;     // where the sheet was placed, N; empty of a particle net
+  Vector mass;                      // P [kg]; of directors rotary inertia over ℓ², 0 where they have none
+  std::vector<int> order;           // in which points become unknowns, P
+  double director_length = 0;       // ℓ [m]; 0 of a particle net
+  std::vector<ShellGauges> gauges;  // of a shell, one a piece
+  std::vector<Vector3> directors;   // where the sheet was placed, N; empty of a particle net
 
   [[nodiscard]] int points() const { return static_cast<int>(mass.size()); }
 };
 
-[[nodiscard]] Sheet net_sheet(const Case& c, const QuadMesh& mesh, const Threads& threads,
-                              const std::vector<Vector3>& placed, const Supports& supports);
-/// @throws std::invalid_argument  elements that are not convex
-[[nodiscard]] Sheet shell_sheet(const Case& c, const QuadMesh& mesh);
+[[nodiscard]] Sheet net_sheet(const Case& c, const Cloth& cloth, const Threads& threads, const Supports& supports);
+/// @throws CaseError  elements that are not convex
+[[nodiscard]] Sheet shell_sheet(const Case& c, const Cloth& cloth);
 
 /// A moment [N m] on nodes of a sheet, shared by tributary length of the boundary between them; of a shell equally
 /// where there is none.

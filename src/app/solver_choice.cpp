@@ -90,8 +90,13 @@ PathOptions path_options(const Case& c, const CaseModel& model) {
 std::unique_ptr<LinearSolver> dynamics_solver(const Case& c) {
   const auto& name = c.dynamics.linear_solver;
   // the symmetric part is good enough for the little that a pressure turns
-  const bool skew = c.model == Model::shell && !plate_bending(c.fabric).is_symmetric();
-  if (name == "auto") return named(skew ? "lu" : is_narrow(c.cloth) ? "cholesky" : "cg", c.model);
+  bool skew = false, narrow = true;
+  for (std::size_t k = 0; k < c.pieces(); ++k) {
+    const auto piece = c.piece_at(k);
+    skew = skew || (c.model == Model::shell && !plate_bending(piece.fabric).is_symmetric());
+    narrow = narrow && is_narrow(piece.cloth);
+  }
+  if (name == "auto") return named(skew ? "lu" : narrow ? "cholesky" : "cg", c.model);
   return named(name, c.model);
 }
 

@@ -39,16 +39,20 @@ std::string passage_text(const ClothPair& pair) {
 }  // namespace
 
 ClothContact::ClothContact(ClothPairs pairs, ContactLaw law, ClothContactOptions options)
-    : pairs_(std::move(pairs)), law_(law), options_(options), mean_edge_(0), margin_(least_margin * options.thickness) {
+    : pairs_(std::move(pairs)),
+      law_(law),
+      options_(options),
+      mean_edge_(0),
+      margin_(least_margin * pairs_.largest_thickness()) {
   for (const auto& edge : surface().edges) mean_edge_ += edge.length / static_cast<double>(surface().edges.size());
-  if (!(options_.thickness > law_.smoothing()))
+  if (!(pairs_.smallest_thickness() > law_.smoothing()))
     throw std::invalid_argument("cloth must be thicker than the distance over which contact sets in");
   if (!(options_.friction >= 0)) throw std::invalid_argument("a coefficient of friction must not be negative");
 }
 
-double ClothContact::rest_distance(Shapes shapes) const {
-  const double share = shapes == Shapes::edge_edge ? edge_share : 1;
-  return share * options_.thickness - 0.5 * law_.smoothing();
+double ClothContact::rest_distance(const ClothPair& pair) const {
+  const double share = pair.shapes == Shapes::edge_edge ? edge_share : 1;
+  return share * pair.thickness - 0.5 * law_.smoothing();
 }
 
 double ClothContact::moved_since_search(const ConstVectorRef& q) const {
@@ -79,7 +83,7 @@ double ClothContact::require_candidates(const ConstVectorRef& q) const {
   double margin = margin_;
   if (searches_ > 0 && uses_ < short_life) margin *= 2;
   if (uses_ > long_life) margin *= 0.5;
-  const double least = least_margin * options_.thickness;
+  const double least = least_margin * pairs_.largest_thickness();
   search(q, std::clamp(margin, least, std::max(least, largest_margin * mean_edge_)));
   return 0;
 }
@@ -96,7 +100,7 @@ void ClothContact::list_elements() const {
 
 bool ClothContact::couples(const ClothPair& pair, const ConstVectorRef& q) const {
   const double beyond = pair.shapes == Shapes::edge_edge ? coupled_beyond_edges : coupled_beyond;
-  const double near = rest_distance(pair.shapes) + law_.smoothing() + beyond * options_.thickness;
+  const double near = rest_distance(pair) + law_.smoothing() + beyond * pair.thickness;
   return separation(pair.shapes, pair.at(q)).distance < near;
 }
 
@@ -120,7 +124,8 @@ void ClothContact::declare_pattern(Pattern& pattern) const {
 
 bool ClothContact::may_be_within(double near, const Candidate& candidate, const ConstVectorRef& q) const {
   const auto& points = candidate.pair.points;
-  const std::size_t count = points_of(candidate.pair.shapes), first = candidate.pair.shapes == Shapes::edge_edge ? 2 : 1;
+  const std::size_t count = points_of(candidate.pair.shapes),
+                    first = candidate.pair.shapes == Shapes::edge_edge ? 2 : 1;
   std::array<Vector3, 4> moved;
   for (std::size_t k = 0; k < count; ++k) moved[k] = point(q, points[k]) - point(searched_at_, points[k]);
   double most = 0;  // a way between the shapes changes by a mean of such differences
@@ -135,11 +140,11 @@ void ClothContact::visit(const State& state, Visit&& visit) const {
   const double nearer = 2 * require_candidates(state.q);
   for (const auto& candidate : candidates_) {
     const auto& [pair, distance, element] = candidate;
-    const double near = rest_distance(pair.shapes) + law_.smoothing();
+    const double near = rest_distance(pair) + law_.smoothing();
     if (distance - nearer > near || !may_be_within(near, candidate, state.q)) continue;
     const auto x = pair.at(state.q);
     const auto s = separation(pair.shapes, x);
-    const double gap = s.distance - rest_distance(pair.shapes);
+    const double gap = s.distance - rest_distance(pair);
     if (!(gap < law_.smoothing()) || s.distance == 0) continue;
     const double crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(x, pair.parallel2).factor : 1;
     visit(Contact{pair, element, x, s, s.way / s.distance, gap, crossing * pair.area * law_.pressure(gap)});
@@ -254,7 +259,7 @@ std::optional<Passage> ClothContact::passage(const State& from, const State& to)
       most = std::max(most, (point(from.q, i) - point(to.q, i)).squaredNorm());
     search(from.q, std::max(margin_, 2 * std::sqrt(most)));
   }
-  const double clearance = least_clearance * options_.thickness;
+  const double clearance = least_clearance * pairs_.smallest_thickness();
   const double nearer = 2 * std::max(moved_since_search(from.q), moved_since_search(to.q));
   for (const auto& [pair, distance, element] : candidates_) {
     if (distance - nearer > clearance) continue;
@@ -272,7 +277,7 @@ ClothContactReport ClothContact::report(const State& state) const {
     ++report.contacts;
     if (contact.pair.shapes == Shapes::point_triangle)
       report.deepest_penetration =
-          std::max(report.deepest_penetration, options_.thickness - contact.separation.distance);
+          std::max(report.deepest_penetration, contact.pair.thickness - contact.separation.distance);
     if (options_.friction == 0) return;
     const double speed = sliding(contact, state).norm();
     if (speed < options_.friction_law.speed())

@@ -1,6 +1,8 @@
 #include "sundrape/force/cloth_pairs.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 
@@ -30,8 +32,23 @@ void add_if_near(const ClothPair& pair, double reach, const ConstVectorRef& q, s
 
 }  // namespace
 
-ClothPairs::ClothPairs(const QuadMesh& mesh, double excluded)
-    : surface_(mesh), quads_(mesh.quads), owned_(mesh.quads.size()), near_(nodes_within(mesh, excluded)) {
+ClothPairs::ClothPairs(const QuadMesh& mesh, double thickness, double excluded)
+    : ClothPairs(mesh, std::vector<double>(mesh.reference.size(), thickness), excluded) {}
+
+ClothPairs::ClothPairs(const QuadMesh& mesh, std::vector<double> thickness, double excluded)
+    : surface_(mesh),
+      quads_(mesh.quads),
+      owned_(mesh.quads.size()),
+      thickness_(std::move(thickness)),
+      largest_(0),
+      smallest_(std::numeric_limits<double>::infinity()) {
+  if (thickness_.size() != mesh.reference.size()) throw std::invalid_argument("cloth needs one thickness a node");
+  for (const double h : thickness_) {
+    if (!(h > 0)) throw std::invalid_argument("the thickness of cloth must be positive [m]");
+    largest_ = std::max(largest_, h);
+    smallest_ = std::min(smallest_, h);
+  }
+  near_ = nodes_within(mesh, excluded * largest_);
   std::vector<bool> taken(mesh.reference.size(), false);
   for (std::size_t e = 0; e < quads_.size(); ++e)
     for (const int n : quads_[e]) {
@@ -62,23 +79,22 @@ void ClothPairs::add_from_node(int node, std::size_t quad, double reach, const C
   for (const std::size_t t : {2 * quad, 2 * quad + 1}) {
     const auto& [a, b, c] = surface_.triangles[t];
     if (apart_from_triangle(node, static_cast<int>(t)))
-      add_if_near({Shapes::point_triangle, {node, a, b, c}, half}, reach, q, pairs);
+      add_if_near({Shapes::point_triangle, {node, a, b, c}, half, between(node, a)}, reach, q, pairs);
   }
   for (const int e : owned_[quad].edges) {
     const auto& edge = surface_.edges[static_cast<std::size_t>(e)];
     if (!edge.boundary() && std::ranges::all_of(edge.triangles, [&](int t) { return apart_from_triangle(node, t); }))
-      add_if_near({Shapes::point_edge, {node, edge.i, edge.j, -1}, -half}, reach, q, pairs);
+      add_if_near({Shapes::point_edge, {node, edge.i, edge.j, -1}, -half, between(node, edge.i)}, reach, q, pairs);
   }
   for (const int n : owned_[quad].nodes) {
     const auto& around = surface_.node_triangles[static_cast<std::size_t>(n)];
     if (!surface_.on_boundary[static_cast<std::size_t>(n)] &&
         std::ranges::all_of(around, [&](int t) { return apart_from_triangle(node, t); }))
-      add_if_near({Shapes::point_point, {node, n, -1, -1}, half}, reach, q, pairs);
+      add_if_near({Shapes::point_point, {node, n, -1, -1}, half, between(node, n)}, reach, q, pairs);
   }
 }
 
-void ClothPairs::add_of_edges(int a, int b, double reach, const ConstVectorRef& q,
-                              std::vector<NearPair>& pairs) const {
+void ClothPairs::add_of_edges(int a, int b, double reach, const ConstVectorRef& q, std::vector<NearPair>& pairs) const {
   const auto &first = surface_.edges[static_cast<std::size_t>(a)],
              &second = surface_.edges[static_cast<std::size_t>(b)];
   const std::array<int, 2> ends{second.i, second.j};
@@ -87,6 +103,7 @@ void ClothPairs::add_of_edges(int a, int b, double reach, const ConstVectorRef& 
   add_if_near({.shapes = Shapes::edge_edge,
                .points = {first.i, first.j, second.i, second.j},
                .area = 0.25 * (first.area + second.area),
+               .thickness = between(first.i, second.i),
                .parallel2 = nearly_parallel * both * both},
               reach, q, pairs);
 }

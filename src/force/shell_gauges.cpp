@@ -80,4 +80,22 @@ ShellReadings ShellGauges::read(ConstVectorRef q) const {
   return r;
 }
 
+ShellReadings read(const std::vector<ShellGauges>& parts, ConstVectorRef q) {
+  ShellReadings all = parts.front().read(q);
+  const auto append = [](auto& rows, const auto& more) {
+    rows.conservativeResize(rows.rows() + more.rows(), Eigen::NoChange);
+    rows.bottomRows(more.rows()) = more;
+  };
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const auto part = parts[k].read(q);
+    append(all.membrane_strain, part.membrane_strain);
+    append(all.membrane_force, part.membrane_force);
+    append(all.shear_strain, part.shear_strain);
+    append(all.shear_force, part.shear_force);
+    append(all.curvature, part.curvature);
+    append(all.moment, part.moment);
+  }
+  return all;
+}
+
 }  // namespace sundrape

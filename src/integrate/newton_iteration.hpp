@@ -39,8 +39,8 @@ class NewtonIteration {
   struct Free {
     void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
   };
-  static int test(SUNNonlinearSolver solver, N_Vector total, N_Vector correction, realtype tolerance,
-                  N_Vector weights, void* data);
+  static int test(SUNNonlinearSolver solver, N_Vector total, N_Vector correction, realtype tolerance, N_Vector weights,
+                  void* data);
 
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, Free> solver_;
   bool doubtful_ = false;

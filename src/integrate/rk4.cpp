@@ -61,8 +61,8 @@ class RungeKutta4 final : public SundialsIntegrator {
     bool halved = false;
     for (int halvings = 1; flag >= 0 && !guard_.admits(time_, y_.values().head(form_.size() / 2)); ++halvings) {
       if (halvings > most_halvings)
-        throw IntegrationFailure(fmt::format("{}, at t = {:.6g} s, however small the step",
-                                             describe(*guard_.refusal()), from));
+        throw IntegrationFailure(
+            fmt::format("{}, at t = {:.6g} s, however small the step", describe(*guard_.refusal()), from));
       halved = true;
       y_.values() = before;
       require_success(ERKStepReset(memory_.get(), from, y_.get()), "ERKStepReset");

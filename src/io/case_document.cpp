@@ -119,6 +119,16 @@ void unwrap_single_cloth(toml::table& root) {
   root.insert_or_assign("cloth", std::move(piece));
 }
 
+/// The tables that may have a material: the case and its pieces of cloth.
+std::vector<toml::table*> owners_of_materials(toml::table& root) {
+  std::vector<toml::table*> owners{&root};
+  if (auto* piece = root.get_as<toml::table>("cloth")) owners.push_back(piece);
+  if (auto* pieces = root.get_as<toml::array>("cloth"))
+    for (auto& piece : *pieces)
+      if (piece.is_table()) owners.push_back(piece.as_table());
+  return owners;
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
@@ -134,9 +144,11 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
 toml::table parse_document(std::string_view text, const std::string& file, const std::vector<std::string>& sets) {
   toml::table root = parse_toml(text, file);
   unwrap_single_cloth(root);
-  const bool had_fabric = names_fabric(root);
+  std::vector<bool> had_fabric;
+  for (const auto* owner : owners_of_materials(root)) had_fabric.push_back(names_fabric(*owner));
   for (const auto& set : sets) Setting(set).apply(root);
-  include_fabric(root, std::filesystem::path(file).parent_path(), had_fabric);
+  for (std::size_t k = 0; auto* owner : owners_of_materials(root))
+    include_fabric(*owner, std::filesystem::path(file).parent_path(), had_fabric[k++]);
   return root;
 }
 

@@ -104,13 +104,13 @@ void move_missing(toml::table& from, toml::table& to, bool top) {
 
 }  // namespace
 
-bool names_fabric(const toml::table& root) {
-  const auto* material = root.get_as<toml::table>("material");
+bool names_fabric(const toml::table& owner) {
+  const auto* material = owner.get_as<toml::table>("material");
   return material != nullptr && material->contains("fabric");
 }
 
-void include_fabric(toml::table& root, const std::filesystem::path& folder, bool overridden) {
-  auto* material = root.get_as<toml::table>("material");
+void include_fabric(toml::table& owner, const std::filesystem::path& folder, bool overridden) {
+  auto* material = owner.get_as<toml::table>("material");
   const auto* name = material ? material->get("fabric") : nullptr;
   if (name == nullptr || !name->is_string()) return;  // a fabric that is no name is for the checks to refuse
   toml::table fabric = read_fabric(*name, folder);

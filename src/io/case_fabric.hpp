@@ -5,8 +5,8 @@
 
 namespace sundrape {
 
-/// Whether the case's material names a fabric of the library.
-[[nodiscard]] bool names_fabric(const toml::table& root);
+/// Whether the material of a case, or of a piece of cloth, names a fabric of the library.
+[[nodiscard]] bool names_fabric(const toml::table& owner);
 
 /// Writes the values of the fabric that `material.fabric` names into the material, so that the case stands on its own;
 /// does nothing where there is none.
@@ -18,6 +18,6 @@ namespace sundrape {
 /// @param overridden  false: the file spells its material out and a setting puts a fabric in its place, of which only
 ///                    other settings, `damping` and `net` are spared
 /// @throws CaseError  no such fabric, or its file is not TOML
-void include_fabric(toml::table& root, const std::filesystem::path& folder, bool overridden);
+void include_fabric(toml::table& owner, const std::filesystem::path& folder, bool overridden);
 
 }  // namespace sundrape

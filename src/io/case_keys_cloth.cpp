@@ -8,7 +8,7 @@ using namespace keys;
 Section cloth() {
   return {
       .name = "cloth",
-      .heading = "`[cloth]`",
+      .heading = "`[cloth]`, or `[[cloth]]` for several sheets",
       .kind_key = "shape",
       .doc = "The sheet at rest, flat in z = 0 unless it comes from a file, and where it starts.",
       .keys =
@@ -18,7 +18,15 @@ Section cloth() {
                .choices = {"rectangle", "disc", "annulus", "mesh"},
                .required = true,
                .doc = "Outline of the sheet; the centre of a rectangle, disc or annulus is the origin."},
-              {.name = "name", .type = KeyType::name, .default_value = "\"cloth\"", .doc = "For people."},
+              {.name = "name",
+               .type = KeyType::name,
+               .default_note = "`cloth`; of several sheets `cloth0`, `cloth1`, ...",
+               .doc = "Of the sheet; the node set `left` of a sheet `top` alone is `top.left`, all of it `top`."},
+              {.name = "material",
+               .type = KeyType::table,
+               .holds = "material",
+               .default_note = "the case's `[material]`",
+               .doc = "The sheet's own fabric, with all keys of `[material]`."},
               {.name = "size",
                .unit = "m",
                .scalar = false,

@@ -213,8 +213,7 @@ Section load() {
           {
               {.name = "kind",
                .type = KeyType::choice,
-               .choices = {"gravity", "force", "moment", "traction", "pressure"},
-               .later = {"wind"},
+               .choices = {"gravity", "force", "moment", "traction", "pressure", "wind"},
                .required = true,
                .doc = "What sort of load."},
               only_for({"gravity"},
@@ -229,12 +228,57 @@ Section load() {
                .required = true,
                .kinds = {"pressure"},
                .doc = "Along the normal of every face, which it follows."},
+              only_for({"wind"}, with_default(vector3("velocity", "m/s", "Of the air, everywhere; zero: still air."),
+                                              "[0, 0, 0]")),
+              {.name = "density",
+               .unit = "kg/m^3",
+               .range = not_negative(),
+               .default_value = "1.2",
+               .kinds = {"wind"},
+               .doc = "Of the air."},
+              {.name = "drag",
+               .range = not_negative(),
+               .default_value = "1.2",
+               .kinds = {"wind"},
+               .doc = "Coefficient of a face across the flow."},
+              {.name = "lift",
+               .range = not_negative(),
+               .default_value = "1",
+               .kinds = {"wind"},
+               .doc = "A face at the angle α to the flow has this times sin α cos α."},
+              {.name = "gust",
+               .type = KeyType::table,
+               .holds = "gust",
+               .kinds = {"wind"},
+               .doc = "Changes of the velocity in time; dynamics only."},
               stages("the load"),
               {.name = "ramp",
                .unit = "s",
                .range = not_negative(),
                .default_value = "0",
                .doc = "Grows smoothly to its full size over this time; 0: there from the start."},
+          },
+  };
+}
+
+Section gust() {
+  return {
+      .name = "gust",
+      .heading = "`gust = { ... }` of a `wind`",
+      .doc = "Three waves of incommensurate periods with random phases.",
+      .keys =
+          {
+              required(vector3("amplitude", "m/s", "Largest change of the velocity.")),
+              {.name = "period",
+               .unit = "s",
+               .range = positive(),
+               .default_value = "1",
+               .doc = "Of the slowest wave; the others are 1.62 and 2.62 times as fast."},
+              {.name = "seed",
+               .type = KeyType::integer,
+               .range = from_to(0, 4294967295.0),
+               .default_value = "1",
+               .doc = "Of the phases."},
           },
   };
 }
@@ -309,18 +353,20 @@ Section contact() {
   return {
       .name = "contact",
       .heading = "`[contact]`",
-      .doc = "A penalty force between the cloth and obstacles, and between the cloth and itself, that sets in smoothly.",
+      .doc =
+          "A penalty force between the cloth and obstacles, and between the cloth and itself, that sets in smoothly.",
       .keys =
           {
               {.name = "self",
                .type = KeyType::boolean,
-               .default_value = "false",
+               .default_note = "true of several sheets, else false",
                .doc = "Whether cloth touches cloth: else it passes through itself, and a run says so at its end."},
               {.name = "thickness",
                .unit = "m",
                .range = positive(),
                .default_note = "`material.thickness`",
-               .doc = "At what distance two layers of cloth lie on each other, and the scale of the two defaults below."},
+               .doc =
+                   "At what distance two layers of cloth lie on each other, and the scale of the two defaults below."},
               {.name = "friction",
                .range = not_negative(),
                .default_value = "0",
@@ -369,9 +415,8 @@ Section contact() {
 }  // namespace
 
 std::vector<Section> scene_keys() {
-  return {fix(),      motion(),          motion_path(),     motion_path_points(),
-          selector(), selector_plane(),  selector_sphere(), load(),
-          obstacle(), obstacle_motion(), contact()};
+  return {fix(),  motion(), motion_path(), motion_path_points(), selector(), selector_plane(), selector_sphere(),
+          load(), gust(),   obstacle(),    obstacle_motion(),    contact()};
 }
 
 }  // namespace sundrape

@@ -25,8 +25,15 @@ std::vector<Section> top_keys() {
                    "What to compute: a motion in time, a static equilibrium, or the path of equilibria that loads and "
                    "moved supports lead along. Tables of other analyses may stay in "
                    "the file; they are checked, not used."},
-              {.name = "cloth", .type = KeyType::table, .holds = "cloth", .required = true, .doc = "The sheet."},
-              {.name = "material", .type = KeyType::table, .holds = "material", .required = true, .doc = "Its fabric."},
+              {.name = "cloth",
+               .type = KeyType::pieces,
+               .holds = "cloth",
+               .required = true,
+               .doc = "The sheet; `[[cloth]]` with a `name` each where there are several."},
+              {.name = "material",
+               .type = KeyType::table,
+               .holds = "material",
+               .doc = "Its fabric; of several sheets the one of those that name none of their own."},
               {.name = "shell",
                .type = KeyType::table,
                .holds = "shell",

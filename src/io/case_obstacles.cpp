@@ -69,18 +69,20 @@ std::vector<ObstacleCase> resolve_obstacles(const std::vector<CaseSection>& sect
   return obstacles;
 }
 
-ContactCase resolve_contact(const CaseSection& section, double thickness) {
+ContactCase resolve_contact(const CaseSection& section, double thickness, bool layers) {
   ContactCase contact;
-  contact.self = section.boolean("self");
+  contact.self = section.has("self") ? section.boolean("self") : layers;
+  contact.thickness_given = section.has("thickness");
   contact.friction = section.number("friction");
   contact.thickness = section.maybe_number("thickness").value_or(thickness);
   contact.stiffness = section.maybe_number("stiffness");
   contact.smoothing = section.maybe_number("smoothing").value_or(0.1 * contact.thickness);
   contact.penetration = section.maybe_number("penetration").value_or(0.1 * contact.thickness);
   if (contact.self && !(contact.smoothing < contact.thickness))
-    section.fail("smoothing", fmt::format("{:.4g} m is not less than contact.thickness = {:.4g} m, as cloth that touches "
-                                          "cloth needs it",
-                                          contact.smoothing, contact.thickness));
+    section.fail("smoothing",
+                 fmt::format("{:.4g} m is not less than contact.thickness = {:.4g} m, as cloth that touches "
+                             "cloth needs it",
+                             contact.smoothing, contact.thickness));
   contact.restitution = section.maybe_number("restitution");
   contact.friction_speed = section.number("friction_speed");
   contact.restitution_speed = section.number("restitution_speed");

@@ -27,7 +27,9 @@ void resolve_bending(const CaseSection& bending, Fabric& fabric);
 /// The absolute path that a key names; it must be there.
 [[nodiscard]] std::filesystem::path file_beside(const CaseSection& section, const char* key,
                                                 const std::filesystem::path& folder);
-[[nodiscard]] ContactCase resolve_contact(const CaseSection& section, double thickness);
+/// @param thickness  of the thickest fabric [m]
+/// @param layers     there are several pieces of cloth
+[[nodiscard]] ContactCase resolve_contact(const CaseSection& section, double thickness, bool layers);
 [[nodiscard]] DynamicsCase resolve_dynamics(const CaseSection& section);
 [[nodiscard]] RelaxationCase resolve_relaxation(const CaseSection& section);
 [[nodiscard]] ArcLengthCase resolve_arc_length(const CaseSection& section);

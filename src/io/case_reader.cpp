@@ -1,9 +1,11 @@
 #include "sundrape/io/case_reader.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "sundrape/io/case_error.hpp"
 #include "sundrape/io/fingerprint.hpp"
 
 #include "case_choices.hpp"
@@ -14,11 +16,45 @@
 namespace sundrape {
 namespace {
 
-/// The cloth as a table; [[cloth]] with one entry has become one already.
-CaseSection cloth_section(const CaseSection& top, const toml::table& root) {
-  if (const auto* pieces = root.get_as<toml::array>("cloth"))
-    top.fail("cloth", fmt::format("{} pieces are not available in this version; accepted: one", pieces->size()));
-  return top.table("cloth");
+/// The pieces of cloth, each with its fabric.
+std::vector<PieceCase> resolve_pieces(const CaseSection& top, const std::filesystem::path& folder) {
+  const auto sections = top.tables("cloth");
+  if (sections.empty()) top.fail("cloth", "a case needs at least one piece of cloth");
+  std::vector<PieceCase> pieces;
+  for (const auto& section : sections) {
+    PieceCase piece;
+    piece.name = section.has("name")    ? section.text("name")
+                 : sections.size() == 1 ? "cloth"
+                                        : fmt::format("cloth{}", pieces.size());
+    for (const auto& earlier : pieces)
+      if (earlier.name == piece.name)
+        section.fail("name", fmt::format("'{}' is already the name of another piece", piece.name));
+    piece.cloth = resolve_cloth(section, folder);
+    if (sections.size() > 1 && section.has("start"))
+      section.fail("start", "belongs to cases of a single piece of cloth");
+    if (!section.has("material") && !top.has("material"))
+      throw CaseError(top.source("").file, top.source("").line, "material", "missing: Its fabric.");
+    const CaseSection material = section.has("material") ? section.table("material") : top.table("material");
+    if (material.has("title")) piece.fabric_title = material.text("title");
+    piece.fabric = resolve_fabric(material);
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/// The least of those that fabrics have, if any.
+std::optional<double> breaking_strain(const CaseSection& top) {
+  std::optional<double> least = top.table("material").maybe_number("breaking_strain");
+  for (const auto& section : top.tables("cloth"))
+    if (const auto own = section.table("material").maybe_number("breaking_strain"))
+      least = std::min(*own, least.value_or(*own));
+  return least;
+}
+
+double thickest(const Case& c) {
+  double most = 0;
+  for (std::size_t k = 0; k < c.pieces(); ++k) most = std::max(most, c.piece_at(k).fabric.thickness);
+  return most;
 }
 
 std::string print(const toml::table& root) {
@@ -33,7 +69,6 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   const toml::table root = parse_document(text, file.string(), sets);
   const ReadingContext context;
   const CaseSection top(context, key_section(""), &root, {file.string(), 1, ""});
-  if (top.has("cloth")) (void)cloth_section(top, root);
   top.check();
 
   Case resolved;
@@ -42,18 +77,20 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.title = top.has("title") ? top.text("title") : file.stem().string();
   resolved.model = choices::model.value(top.text("model"));
   resolved.analysis = choices::analysis.value(top.text("analysis"));
-  resolved.cloth = resolve_cloth(cloth_section(top, root), file.parent_path());
-  const CaseSection material = top.table("material");
-  if (material.has("title")) resolved.fabric_title = material.text("title");
-  resolved.fabric = resolve_fabric(material);
-  resolved.breaking_strain = material.maybe_number("breaking_strain");
+  auto pieces = resolve_pieces(top, file.parent_path());
+  resolved.piece = pieces.front().name;
+  resolved.cloth = std::move(pieces.front().cloth);
+  resolved.fabric_title = pieces.front().fabric_title;
+  resolved.fabric = pieces.front().fabric;
+  resolved.further.assign(std::next(pieces.begin()), pieces.end());
+  resolved.breaking_strain = breaking_strain(top);
   resolved.shell = resolve_shell(top.table("shell"));
   require_shell_model(top, resolved);
   resolved.fixes = resolve_fixes(top.tables("fix"), resolved.model, resolved.analysis);
   resolved.motions = resolve_motions(top.tables("motion"), resolved.fixes, resolved.model, resolved.analysis);
   resolved.loads = resolve_loads(top.tables("load"));
   resolved.obstacles = resolve_obstacles(top.tables("obstacle"), resolved.analysis, file.parent_path());
-  resolved.contact = resolve_contact(top.table("contact"), resolved.fabric.thickness);
+  resolved.contact = resolve_contact(top.table("contact"), thickest(resolved), resolved.pieces() > 1);
   const CaseSection dynamics = top.table("dynamics");
   resolved.dynamics = resolve_dynamics(dynamics);
   require_integrator_of_director(top, resolved);
@@ -68,8 +105,11 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   }
   resolved.output =
       resolve_output(top.table("output"), resolved.analysis == Analysis::dynamics ? resolved.dynamics.duration : 0);
-  if (const auto* mesh = std::get_if<MeshShape>(&resolved.cloth.shape))
-    resolved.inputs = "mesh " + fingerprint(mesh->file);
+  for (std::size_t k = 0; k < resolved.pieces(); ++k) {
+    const auto piece = resolved.piece_at(k);
+    if (const auto* mesh = std::get_if<MeshShape>(&piece.cloth.shape))
+      resolved.inputs += (k == 0 ? "mesh " : " " + piece.name + " ") + fingerprint(mesh->file);
+  }
   for (const auto& obstacle : resolved.obstacles)
     if (const auto* mesh = std::get_if<MeshBodyShape>(&obstacle.shape))
       resolved.inputs += " " + obstacle.name + " " + fingerprint(mesh->file);

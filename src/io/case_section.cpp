@@ -249,6 +249,7 @@ CaseSection CaseSection::table(std::string_view name) const {
 std::vector<CaseSection> CaseSection::tables(std::string_view name) const {
   const toml::node* node = given(name);
   if (node == nullptr) return {};
+  if (key(name).type == KeyType::pieces && !node->is_array()) return {table(name)};
   if (!node->is_array())
     fail(name, fmt::format("an array of tables is expected: write [[{}]], not [{}]", path(name), path(name)));
   std::vector<CaseSection> all;

@@ -118,6 +118,7 @@ void CaseSection::check_value(const Key& key) const {
       table(key.name).check();
       break;
     case KeyType::tables:
+    case KeyType::pieces:
       for (const auto& entry : tables(key.name)) entry.check();
       break;
     case KeyType::texts:

@@ -100,6 +100,19 @@ std::vector<FixCase> resolve_fixes(const std::vector<CaseSection>& sections, Mod
   return fixes;
 }
 
+WindLoad resolve_wind(const CaseSection& section) {
+  WindLoad wind;
+  wind.field.velocity = section.vector3("velocity");
+  wind.air = {.density = section.number("density"), .drag = section.number("drag"), .lift = section.number("lift")};
+  if (section.has("gust")) {
+    const CaseSection gust = section.table("gust");
+    wind.field.gust = gust.vector3("amplitude");
+    wind.field.period = gust.number("period");
+    wind.field.seed = static_cast<unsigned>(gust.integers("seed").front());
+  }
+  return wind;
+}
+
 std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections) {
   std::vector<LoadCase> loads;
   for (const auto& section : sections) {
@@ -107,7 +120,8 @@ std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections) {
     load.ramp = section.number("ramp");
     load.stages = section.series("stages");
     const std::string kind = section.text("kind");
-    load.source = kind == "gravity" || kind == "pressure" ? section.source() : section.source("nodes");
+    load.source =
+        kind == "gravity" || kind == "pressure" || kind == "wind" ? section.source() : section.source("nodes");
     if (kind == "gravity")
       load.load = GravityLoad{section.vector3("acceleration")};
     else if (kind == "force")
@@ -116,8 +130,10 @@ std::vector<LoadCase> resolve_loads(const std::vector<CaseSection>& sections) {
       load.load = MomentLoad{section.selector("nodes"), section.vector3("total")};
     else if (kind == "traction")
       load.load = TractionLoad{section.selector("nodes"), section.vector3("per_length")};
-    else
+    else if (kind == "pressure")
       load.load = PressureLoad{section.number("value")};
+    else
+      load.load = resolve_wind(section);
     loads.push_back(std::move(load));
   }
   return loads;

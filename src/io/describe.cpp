@@ -21,10 +21,10 @@ void describe_place(CaseDescription& out, const std::string& path, const Place& 
   out.number("angle", place.angle);
 }
 
-void describe_cloth(CaseDescription& out, const ClothCase& cloth) {
-  out.heading("the sheet");
+/// @param path  what the keys of the sheet begin with
+void describe_cloth(CaseDescription& out, const ClothCase& cloth, const std::string& path) {
   const auto enter = [&](const char* shape) {
-    out.enter("cloth", "cloth", shape);
+    out.enter("cloth", path, shape);
     out.text("shape", shape);
   };
   if (const auto* rectangle = std::get_if<RectangleShape>(&cloth.shape)) {
@@ -45,13 +45,13 @@ void describe_cloth(CaseDescription& out, const ClothCase& cloth) {
     out.text("file", mesh->file.string());
     out.verbatim("units", fmt::format("{:.10g} m", mesh->unit));
   }
-  describe_place(out, "cloth", cloth.place);
+  describe_place(out, path, cloth.place);
   if (cloth.start) {
-    out.enter("cloth", "cloth");
+    out.enter("cloth", path);
     out.text("start", cloth.start->file.string());
   }
   if (cloth.waviness_given.value_or(false)) {
-    out.enter("waviness", "cloth.waviness");
+    out.enter("waviness", path + ".waviness");
     out.number("amplitude", cloth.waviness_amplitude);
     out.verbatim("seed", fmt::format("{}", cloth.waviness_seed));
     if (cloth.waviness_at_rest) out.verbatim("at_rest", *cloth.waviness_at_rest ? "true" : "false");
@@ -64,8 +64,8 @@ std::string list_text(std::span<const double> numbers) {
   return fmt::format("[{}]", fmt::join(printed, ", "));
 }
 
-void describe_bending(CaseDescription& out, const Fabric::MeasuredBending& bending) {
-  out.enter("material.bending", "material.bending", "polynomial");
+void describe_bending(CaseDescription& out, const Fabric::MeasuredBending& bending, const std::string& path) {
+  out.enter("material.bending", path + ".bending", "polynomial");
   out.text("law", "polynomial");
   out.verbatim("coefficients", fmt::format("[{}, {}] of N over powers of 1/m", list_text(bending.warp.coefficients()),
                                            list_text(bending.weft.coefficients())));
@@ -73,31 +73,31 @@ void describe_bending(CaseDescription& out, const Fabric::MeasuredBending& bendi
   out.text("form", bending.form == PlateBending::Form::paper ? "paper" : "energy");
 }
 
-void describe_net(CaseDescription& out, const Fabric::Net& net) {
-  out.enter("material.net", "material.net");
+void describe_net(CaseDescription& out, const Fabric::Net& net, const std::string& path) {
+  out.enter("material.net", path + ".net");
   out.number("compression_factor", net.compression_factor);
   out.number("shear_factor", net.shear_factor);
   out.text("shear", net.diagonal_springs ? "diagonals" : "cell");
   out.number("diagonal_compression_factor", net.diagonal_compression_factor);
 }
 
-void describe_fabric(CaseDescription& out, const Case& resolved) {
-  const auto& fabric = resolved.fabric;
-  const auto& title = resolved.fabric_title;
+/// @param path  what the keys of the fabric begin with
+void describe_fabric(CaseDescription& out, const Case& resolved, const PieceCase& piece, const std::string& path) {
+  const auto& fabric = piece.fabric;
+  const auto& title = piece.fabric_title;
   const auto model = resolved.model;
-  out.heading("the fabric");
-  out.enter("material", "material");
+  out.enter("material", path);
   if (!title.empty()) out.text("title", title);
   out.number("thickness", fabric.thickness);
   out.number("density_area", fabric.area_density);
   out.number("poisson", fabric.poisson);
   out.maybe_number("breaking_strain", resolved.breaking_strain);
-  if (fabric.measured_bending) describe_bending(out, *fabric.measured_bending);
-  out.enter("material.damping", "material.damping");
+  if (fabric.measured_bending) describe_bending(out, *fabric.measured_bending, path);
+  out.enter("material.damping", path + ".damping");
   out.number("mass", fabric.damping.mass);
   out.number("membrane", fabric.damping.membrane);
   out.number("bending", fabric.damping.bending);
-  if (model == Model::particle) describe_net(out, fabric.net);
+  if (model == Model::particle) describe_net(out, fabric.net, path);
   out.heading("what follows for the sheet, per unit width");
   out.derived("membrane stiffness, warp", fabric.warp_membrane, "N/m");
   out.derived("membrane stiffness, weft", fabric.weft_membrane, "N/m");
@@ -195,8 +195,15 @@ std::string describe(const Case& resolved) {
   out.text("title", resolved.title);
   out.text("model", choices::model.name(resolved.model));
   out.text("analysis", to_string(resolved.analysis));
-  describe_cloth(out, resolved.cloth);
-  describe_fabric(out, resolved);
+  for (std::size_t k = 0; k < resolved.pieces(); ++k) {
+    const auto piece = resolved.piece_at(k);
+    const bool several = resolved.pieces() > 1;
+    const std::string path = several ? fmt::format("cloth.{}", k) : "cloth";
+    out.heading(several ? fmt::format("sheet '{}'", piece.name) : "the sheet");
+    describe_cloth(out, piece.cloth, path);
+    out.heading(several ? fmt::format("the fabric of '{}'", piece.name) : "the fabric");
+    describe_fabric(out, resolved, piece, several ? path + ".material" : "material");
+  }
   if (resolved.model == Model::shell) describe_shell(out, resolved.shell);
   if (!resolved.fixes.empty()) out.heading("supports");
   for (std::size_t i = 0; i < resolved.fixes.size(); ++i) describe_fix(out, resolved.fixes[i], i);

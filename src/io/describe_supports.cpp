@@ -128,6 +128,19 @@ void describe_load(CaseDescription& out, const LoadCase& load, std::size_t index
   } else if (const auto* pressure = std::get_if<PressureLoad>(&load.load)) {
     enter("pressure");
     out.number("value", pressure->value);
+  } else if (const auto* wind = std::get_if<WindLoad>(&load.load)) {
+    enter("wind");
+    out.vector3("velocity", wind->field.velocity);
+    out.number("density", wind->air.density);
+    out.number("drag", wind->air.drag);
+    out.number("lift", wind->air.lift);
+    if (!wind->field.gust.isZero()) {
+      out.enter("gust", fmt::format("load.{}.gust", index));
+      out.vector3("amplitude", wind->field.gust);
+      out.number("period", wind->field.period);
+      out.verbatim("seed", fmt::format("{}", wind->field.seed));
+      out.enter("load", fmt::format("load.{}", index), "wind");
+    }
   }
   out.number("ramp", load.ramp);
   describe_stages(out, load.stages);

@@ -48,6 +48,8 @@ std::string type_text(const Key& key) {
       return "table";
     case KeyType::tables:
       return "tables";
+    case KeyType::pieces:
+      return "table or tables";
     case KeyType::texts:
       return "list of strings";
     case KeyType::values:

@@ -142,4 +142,26 @@ Threads find_threads(const QuadMesh& mesh) {
   return threads;
 }
 
+Threads threads_between(const Threads& threads, int first, int last) {
+  const auto inside = [&](int node) { return node >= first && node < last; };
+  Threads part;
+  std::vector<int> number_in_part;
+  for (const auto& segment : threads.segments) {
+    number_in_part.push_back(static_cast<int>(part.segments.size()));
+    if (inside(segment.i)) part.segments.push_back(segment);
+  }
+  for (const auto& bend : threads.bends)
+    if (inside(bend.centre)) part.bends.push_back(bend);
+  part.end_start.push_back(0);
+  for (int node = 0; node + 1 < static_cast<int>(threads.end_start.size()); ++node) {
+    if (inside(node))
+      for (auto end : threads.ends_at(node)) {
+        end.segment = number_in_part[index(end.segment)];
+        part.ends.push_back(end);
+      }
+    part.end_start.push_back(static_cast<int>(part.ends.size()));
+  }
+  return part;
+}
+
 }  // namespace sundrape

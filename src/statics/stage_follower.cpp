@@ -165,8 +165,7 @@ Correction StageFollower::back_to_full_load(PathPoint& to) {
 }
 
 bool StageFollower::passes(const PathPoint& to) const {
-  return system_
-      .passage(solver_.equations.state(at_.q, at_.load_factor), solver_.equations.state(to.q, to.load_factor))
+  return system_.passage(solver_.equations.state(at_.q, at_.load_factor), solver_.equations.state(to.q, to.load_factor))
       .has_value();
 }
 

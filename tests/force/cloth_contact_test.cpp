@@ -34,12 +34,9 @@ QuadMesh two_sheets(const Vector3& shift, double angle) {
 }
 
 ClothContact contact_of(const QuadMesh& mesh, double friction = 0, bool whole = false) {
-  return {ClothPairs(mesh, 2 * thickness),
+  return {ClothPairs(mesh, thickness, 2),
           {stiffness, smoothing},
-          {.thickness = thickness,
-           .friction = friction,
-           .friction_law = FrictionLaw(0.2),
-           .whole_friction_tangent = whole}};
+          {.friction = friction, .friction_law = FrictionLaw(0.2), .whole_friction_tangent = whole}};
 }
 
 Vector forces(const ForceTerm& term, const State& state) {
@@ -61,7 +58,7 @@ std::vector<int> features(const ClothPairs& pairs, const Vector& q) {
 /// The tangent's columns against central differences of the force, but for those that move a nearest point past a
 /// corner: the second derivative of a distance jumps there.
 void expect_exact_tangent(const QuadMesh& mesh, const ClothContact& contact, const TestState& state, double relative) {
-  const ClothPairs pairs(mesh, 2 * thickness);
+  const ClothPairs pairs(mesh, thickness, 2);
   const Eigen::MatrixXd exact = dense_tangent(contact, state, 1, 0, Symmetry::unsymmetric);
   const double scale = exact.cwiseAbs().maxCoeff(), step = 3e-7;
   const auto before = features(pairs, state.q);
@@ -144,7 +141,7 @@ TEST(ClothContact, FlatSheetsPressAlikeWhereverTheirNodesAre) {
       for (auto& n : quad) n += under;
       mesh.quads.push_back(quad);
     }
-    const ClothContact contact(ClothPairs(mesh, 2 * thickness), law, {.thickness = thickness});
+    const ClothContact contact(ClothPairs(mesh, thickness, 2), law, {});
     const auto state = perturbed(mesh.reference, 0, 0, 1);
     const Vector f = forces(contact, state);
     double up = 0;
@@ -221,7 +218,7 @@ TEST(ClothContact, AStepThroughTheOtherSheetIsNoticed) {
 
 TEST(ClothContact, RefusesALawWiderThanTheCloth) {
   const auto mesh = rectangle(cell, cell, 1, 1);
-  EXPECT_THROW(ClothContact(ClothPairs(mesh, 1e-3), {1e6, 1e-3}, {.thickness = 1e-3}), std::invalid_argument);
+  EXPECT_THROW(ClothContact(ClothPairs(mesh, 1e-3, 2), {1e6, 1e-3}, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "sundrape/io/case.hpp"
 #include "sundrape/io/result.hpp"
 #include "sundrape/mesh/edge_strains.hpp"
+#include "sundrape/mesh/joined.hpp"
 #include "sundrape/system/system.hpp"
 
 namespace sundrape {
@@ -37,26 +38,28 @@ struct CaseModel {
   };
 
   QuadMesh mesh;
-  RigidPlacement placement;  // rest shape to initial position
+  std::vector<MeshPiece> pieces;  // of it
+  RigidPlacement placement;       // rest shape to initial position
   std::unique_ptr<System> system;
   Vector initial;  // placed and wavy positions, then directors times ℓ, 3P [m]
   EdgeStrains edge_strains;
   double director_length = 0;  // ℓ of a shell, whose node i has the director point N + i [m]; 0 of a particle net
   Vector rate_slack;           // how many times larger the errors of rates may be: rows, n; empty: 1
-  const ObstacleContact* contact = nullptr;   // owned by the system; null without obstacles
+  const ObstacleContact* contact = nullptr;     // owned by the system; null without obstacles
   const ClothContact* cloth_contact = nullptr;  // owned by the system; null where cloth may pass through cloth
   SheetSurface surface;                         // of the mesh
-  const DirectorLength* directors = nullptr;  // owned by the system; null of a particle net
-  std::vector<ClampSprings*> clamps;          // owned by the system
+  const DirectorLength* directors = nullptr;    // owned by the system; null of a particle net
+  std::vector<ClampSprings*> clamps;            // owned by the system
   std::vector<const BendSprings*> bends;  // owned by the system; measured laws of warp and weft are terms of their own
-  std::optional<ShellGauges> gauges;      // of a shell
+  std::vector<ShellGauges> gauges;        // of a shell, one a piece
   std::vector<ReactionSet> reactions;
   std::vector<Gripper> grippers;
   std::vector<bool> clamped_for_good;  // N: whether the slope of a net's node is held to the end
   std::vector<ProbeRecord> probes;
   std::vector<ObstacleRecord> obstacles;
   bool has_inertia = false;  // dynamics: what supports carry has to be accelerated
-  double size = 0;           // longest side of the rest shape's bounding box [m]
+  double size = 0;           // longest side of the rest shape's bounding box, of several that of the largest [m]
+  double diagonal = 0;       // of the largest of these boxes [m]
   double gravity = 0;        // |acceleration| [m/s²]; 9.80665 where there is no gravity
   double weight = 0;         // mass times |gravity load| [N]
   double area_weight = 0;    // of the fabric under `gravity` [N/m²]
@@ -97,11 +100,11 @@ struct CaseModel {
 [[nodiscard]] std::vector<Vector3> place(const std::vector<Vector3>& rest, const Place& place);
 
 /// Whether a case's waviness is one of the rest shape, rather than of the start alone.
-[[nodiscard]] bool is_wavy_at_rest(const Case& c);
+[[nodiscard]] bool is_wavy_at_rest(const Case& c, const PieceCase& piece);
 
 /// Amplitude of the waviness that relaxation starts from unless the case says otherwise [m]: a flat symmetric sheet
 /// ends on a saddle.
-[[nodiscard]] double default_waviness(const Case& c);
+[[nodiscard]] double default_waviness(const PieceCase& piece);
 
 /// What the cloth exerts on the nodes of a set: what nothing in the system balances.
 struct Reaction {

@@ -12,8 +12,7 @@ namespace sundrape {
 
 /// How cloth keeps off cloth.
 struct ClothContactOptions {
-  double thickness = 0;  // h: at which distance of their mid-surfaces two sheets lie on each other [m]
-  double friction = 0;   // μ
+  double friction = 0;  // μ
   FrictionLaw friction_law = FrictionLaw(1e-4);
   bool whole_friction_tangent = false;  // else the secant, as ObstacleContact
 };
@@ -28,12 +27,12 @@ struct ClothContactReport {
 
 /// Contact of cloth with cloth, by penalty: of a sheet with itself and with others, on both sides alike, with friction.
 ///
-/// A node at distance d from a triangle has the energy A W(d − h + w/2), with the potential W of the contact law and
-/// its smoothing w; forces and tangent are its exact derivatives. Edges that cross are a second line: where sheets
-/// touch with their nodes, edges are no nearer, but ridges and rims can slip between nodes. They push from
-/// `edge_share` h on, with a factor that vanishes as edges become parallel (C. Li et al., "Incremental potential
-/// contact", 2020, (24)). Friction acts along both mid-surfaces, a
-/// thickness apart; the couple of the two is left out of the cloth's balance. Which pairs are near is found anew when
+/// With the thickness h at which two sheets lie on each other, a node at distance d from a triangle has the energy A
+/// W(d − h + w/2), with the potential W of the contact law and its smoothing w; forces and tangent are its exact
+/// derivatives. Edges that cross are a second line: where sheets touch with their nodes, edges are no nearer, but
+/// ridges and rims can slip between nodes. They push from `edge_share` h on, with a factor that vanishes as edges
+/// become parallel (C. Li et al., "Incremental potential contact", 2020, (24)). Friction acts along both mid-surfaces,
+/// a thickness apart; the couple of the two is left out of the cloth's balance. Which pairs are near is found anew when
 /// nodes have moved; it decides what is computed, never what comes out.
 ///
 /// Shapes: N nodes, so q and forces have 3N entries or more; each pair that couples is an element of up to four points.
@@ -80,8 +79,8 @@ class ClothContact final : public ForceTerm {
     double push;     // A p, less of edges that are nearly parallel [N]
   };
 
-  [[nodiscard]] double reach() const { return options_.thickness + 0.5 * law_.smoothing(); }
-  [[nodiscard]] double rest_distance(Shapes shapes) const;
+  [[nodiscard]] double reach() const { return pairs_.largest_thickness() + 0.5 * law_.smoothing(); }
+  [[nodiscard]] double rest_distance(const ClothPair& pair) const;  // where the gap of the law is 0
   /// Candidates for all states whose nodes are near q.
   void search(const ConstVectorRef& q, double margin) const;
   /// How far nodes have moved, at most, since the candidates at hand were found [m].

@@ -40,4 +40,7 @@ class ShellGauges {
   ShellOptions options_;
 };
 
+/// The readings of several parts of a sheet, one after the other.
+[[nodiscard]] ShellReadings read(const std::vector<ShellGauges>& parts, ConstVectorRef q);
+
 }  // namespace sundrape

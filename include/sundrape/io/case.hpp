@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "sundrape/force/wind_field.hpp"
 #include "sundrape/material/fabric.hpp"
 #include "sundrape/mesh/rigid_path.hpp"
 #include "sundrape/mesh/selector.hpp"
@@ -118,8 +119,13 @@ struct PressureLoad {
   double value = 0;
 };
 
+struct WindLoad {
+  WindField field;
+  AirCoefficients air;
+};
+
 struct LoadCase {
-  std::variant<GravityLoad, ForceLoad, MomentLoad, TractionLoad, PressureLoad> load;
+  std::variant<GravityLoad, ForceLoad, MomentLoad, TractionLoad, PressureLoad, WindLoad> load;
   double ramp = 0;                // reaches full size smoothly over this time [s]
   std::vector<double> stages{1};  // shares of the load at the ends of the stages of arc-length
   SourceLine source;              // of the selector where it has one
@@ -206,7 +212,9 @@ struct ContactCase {
   std::optional<double> restitution;  // in [0, 1]; absent: no impact law
   double restitution_speed = 0.05;    // impacts slower than this are left to the penalty force [m/s]
   double friction_speed = 1e-4;       // below which friction is viscous instead of holding [m/s]
-  double thickness = 0;               // at which distance layers lie on each other [m]; default the material's
+  bool thickness_given = false;       // by the case, for all pieces of cloth alike
+  double thickness = 0;               // at which distance layers lie on each other [m]; default the material's, the
+                                      // mean of two
 };
 
 enum class IntegratorKind { cvode, ida, rk4 };
@@ -286,15 +294,25 @@ struct ShellCase {
   double rotary_inertia = 1;  // factor on ρ h³/12
 };
 
+/// A sheet of cloth and what it is made of.
+struct PieceCase {
+  std::string name = "cloth";
+  ClothCase cloth;
+  std::string fabric_title;  // empty where the case does not say
+  Fabric fabric;
+};
+
 /// One case, fully resolved: SI units, defaults filled in, ranges checked. What a reader of case files hands on.
 struct Case {
   std::string title;
   Model model = Model::particle;
   ShellCase shell;
   Analysis analysis = Analysis::dynamics;
-  ClothCase cloth;
-  std::string fabric_title;  // empty where the case does not say
-  Fabric fabric;
+  ClothCase cloth;                        // of the first piece
+  std::string fabric_title;               // of the first piece; empty where the case does not say
+  Fabric fabric;                          // of the first piece
+  std::string piece = "cloth";            // name of the first piece
+  std::vector<PieceCase> further;         // pieces after the first
   std::optional<double> breaking_strain;  // of an edge: beyond it the cloth counts as torn
   std::vector<FixCase> fixes;
   std::vector<MotionCase> motions;
@@ -308,6 +326,12 @@ struct Case {
   std::filesystem::path file;  // the case file; relative paths inside it count from its folder
   std::string text;            // the TOML as run, --set included
   std::string inputs;          // fingerprints of the other files that it reads: mesh, start
+
+  [[nodiscard]] std::size_t pieces() const { return 1 + further.size(); }
+  /// A piece, the first included.
+  [[nodiscard]] PieceCase piece_at(std::size_t k) const {
+    return k == 0 ? PieceCase{piece, cloth, fabric_title, fabric} : further.at(k - 1);
+  }
 
   /// Whether supports or obstacles move.
   [[nodiscard]] bool moves() const {

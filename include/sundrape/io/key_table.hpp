@@ -24,6 +24,7 @@ enum class KeyType {
   selector,   // a way to pick nodes: a set's name or a table as in the section `selector`
   table,      // a table with the keys of the section `holds`
   tables,     // an array of such tables
+  pieces,     // one such table, or an array of them
   texts,      // a list of strings
   values,     // a list of anything, or a table with the keys of the section `holds`
 };

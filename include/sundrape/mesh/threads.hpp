@@ -57,4 +57,7 @@ struct Threads {
 /// @throws std::invalid_argument  a mesh that is not sound (require_sound); parts that hang together at one node alone
 [[nodiscard]] Threads find_threads(const QuadMesh& mesh);
 
+/// Those of the threads whose nodes lie in [first, last); the numbers of nodes stay.
+[[nodiscard]] Threads threads_between(const Threads& threads, int first, int last);
+
 }  // namespace sundrape

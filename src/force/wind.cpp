@@ -1,0 +1,119 @@
+#include "sundrape/force/wind.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+
+namespace sundrape {
+namespace {
+
+constexpr double along_face = 0.01;  // ε
+
+}  // namespace
+
+/// One face in the flow.
+struct Wind::Face {
+  Vector3 d1, d2;      // diagonals [m]
+  Vector3 area, u;     // a [m²], u [m/s]
+  double A, s, speed;  // |a|, u·a, |u|
+  double r;
+  Vector3 drag, lift;  // [N]
+};
+
+Wind::Wind(std::vector<std::array<int, 4>> faces, WindField field, AirCoefficients air, LoadCourse course)
+    : faces_(std::move(faces)), field_(std::move(field)), air_(air), course_(std::move(course)) {
+  if (!(air_.density >= 0 && air_.drag >= 0 && air_.lift >= 0))
+    throw std::invalid_argument("air has no negative density and no negative coefficients");
+  if (!(field_.period > 0)) throw std::invalid_argument("gusts need a positive period [s]");
+}
+
+Wind::Face Wind::face(const std::array<int, 4>& n, const State& state, const Vector3& wind) const {
+  Face f;
+  f.d1 = point(state.q, n[2]) - point(state.q, n[0]);
+  f.d2 = point(state.q, n[3]) - point(state.q, n[1]);
+  f.area = 0.5 * f.d1.cross(f.d2);
+  f.u = wind - 0.25 * (point(state.v, n[0]) + point(state.v, n[1]) + point(state.v, n[2]) + point(state.v, n[3]));
+  f.A = f.area.norm();
+  f.s = f.u.dot(f.area);
+  f.speed = f.u.norm();
+  f.r = std::hypot(f.s, along_face * f.A * f.speed);
+  const double half = 0.5 * air_.density;
+  f.drag = half * air_.drag * f.r * f.u;
+  f.lift = Vector3::Zero();
+  if (f.A > 0 && f.speed > 0) f.lift = half * air_.lift / f.A * (f.s * f.speed * f.area - f.s * f.s / f.speed * f.u);
+  return f;
+}
+
+double Wind::dissipated_power(const State& state) const {
+  const Vector3 wind = field_.at(state.time);
+  double power = 0;
+  for (const auto& nodes : faces_) {
+    const auto f = face(nodes, state, wind);
+    power += f.drag.dot(f.u);
+  }
+  return course_.share(state) * power;
+}
+
+double Wind::external_power(const State& state) const {
+  const Vector3 wind = field_.at(state.time);
+  if (wind.isZero()) return 0;
+  Vector3 force = Vector3::Zero();
+  for (const auto& nodes : faces_) {
+    const auto f = face(nodes, state, wind);
+    force += f.drag + f.lift;
+  }
+  return course_.share(state) * force.dot(wind);
+}
+
+void Wind::add_force(const State& state, VectorRef f) const {
+  const Vector3 wind = field_.at(state.time);
+  const double share = 0.25 * course_.share(state);
+  for (const auto& nodes : faces_) {
+    const auto at = face(nodes, state, wind);
+    for (const int n : nodes) point(f, n) += share * (at.drag + at.lift);
+  }
+}
+
+void Wind::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
+  const Vector3 wind = field_.at(state.time);
+  const double share = 0.25 * course_.share(state), half = 0.5 * air_.density;
+  const bool whole = tangent.keeps_unsymmetric();
+  for (std::size_t e = 0; e < faces_.size(); ++e) {
+    const auto f = face(faces_[e], state, wind);
+    if (!(f.A > 0 && f.speed > 0)) continue;
+    const Vector3 &u = f.u, &a = f.area;
+    const Vector3 along_u = u / f.speed, normal = a / f.A;
+    const double e2 = along_face * along_face;
+    // of r by u and by a
+    const Vector3 r_u = (f.s * a + e2 * f.A * f.A * u) / f.r, r_a = (f.s * u + e2 * f.speed * f.speed * a) / f.r;
+    Matrix3 by_u = half * air_.drag * (f.r * Matrix3::Identity() + u * r_u.transpose());
+    Matrix3 by_a = half * air_.drag * u * r_a.transpose();
+    const double lift = half * air_.lift;
+    by_u += lift * (f.speed * normal * a.transpose() + f.s * normal * along_u.transpose() -
+                    2 * f.s / (f.A * f.speed) * u * a.transpose() -
+                    f.s * f.s / (f.A * f.speed) * (Matrix3::Identity() - along_u * along_u.transpose()));
+    by_a +=
+        lift *
+        (f.speed / f.A * a * u.transpose() + f.s * f.speed / f.A * (Matrix3::Identity() - normal * normal.transpose()) -
+         2 * f.s / (f.A * f.speed) * u * u.transpose() + f.s * f.s / (f.A * f.A * f.speed) * u * normal.transpose());
+    const Matrix3 by_velocity = -0.25 * dv * share * by_u;
+    const Matrix3 by_first = -0.5 * dq * share * by_a * cross_matrix(f.d2);
+    const Matrix3 by_second = 0.5 * dq * share * by_a * cross_matrix(f.d1);
+    // every node carries the same force, so block (p, q) depends on q alone
+    const std::array<Matrix3, 4> by_node{by_velocity - by_first, by_velocity - by_second, by_velocity + by_first,
+                                         by_velocity + by_second};
+    for (int q = 0; q < 4; ++q) {
+      const auto& column = by_node[static_cast<std::size_t>(q)];
+      tangent.add_diagonal(e, q, whole ? column : Matrix3(0.5 * (column + column.transpose())));
+      for (int p = 0; p < q; ++p) tangent.add_general_pair(e, p, q, column, by_node[static_cast<std::size_t>(p)]);
+    }
+  }
+}
+
+void Wind::declare_pattern(Pattern& pattern) const {
+  pattern.begin_term(4);
+  for (const auto& face : faces_) pattern.add_element(face);
+}
+
+}  // namespace sundrape
