@@ -19,8 +19,9 @@ constexpr long short_life = 20, long_life = 400;  // uses
 // Pairs that are this part of the thickness from pressing couple: what slides meets new ones now and then only. Edges
 // are a second line, and mostly idle.
 constexpr double coupled_beyond = 0.5, coupled_beyond_edges = 0.25;
-// Nodes keep at least this part of the thickness from what they are about to pass through.
-constexpr double least_clearance = 1e-3;
+// Nodes keep at least this part of the thickness from what they are about to pass through: the barrier of the law never
+// lets them come so near.
+constexpr double least_clearance = 0.02;
 
 Vector3 mean_place(const std::array<Vector3, 4>& x, const std::array<double, 4>& weights) {
   Vector3 place = Vector3::Zero();  // the middle of the way between the nearest points
@@ -38,7 +39,7 @@ std::string passage_text(const ClothPair& pair) {
 
 }  // namespace
 
-ClothContact::ClothContact(ClothPairs pairs, ContactLaw law, ClothContactOptions options)
+ClothContact::ClothContact(ClothPairs pairs, const ContactLaw& law, ClothContactOptions options)
     : pairs_(std::move(pairs)),
       law_(law),
       options_(options),
@@ -48,11 +49,6 @@ ClothContact::ClothContact(ClothPairs pairs, ContactLaw law, ClothContactOptions
   if (!(pairs_.smallest_thickness() > law_.smoothing()))
     throw std::invalid_argument("cloth must be thicker than the distance over which contact sets in");
   if (!(options_.friction >= 0)) throw std::invalid_argument("a coefficient of friction must not be negative");
-}
-
-double ClothContact::rest_distance(const ClothPair& pair) const {
-  const double share = pair.shapes == Shapes::edge_edge ? edge_share : 1;
-  return share * pair.thickness - 0.5 * law_.smoothing();
 }
 
 double ClothContact::moved_since_search(const ConstVectorRef& q) const {
@@ -100,7 +96,7 @@ void ClothContact::list_elements() const {
 
 bool ClothContact::couples(const ClothPair& pair, const ConstVectorRef& q) const {
   const double beyond = pair.shapes == Shapes::edge_edge ? coupled_beyond_edges : coupled_beyond;
-  const double near = rest_distance(pair) + law_.smoothing() + beyond * pair.thickness;
+  const double near = law_.reach(rest_distance(pair)) + beyond * pair.thickness;
   return separation(pair.shapes, pair.at(q)).distance < near;
 }
 
@@ -140,14 +136,14 @@ void ClothContact::visit(const State& state, Visit&& visit) const {
   const double nearer = 2 * require_candidates(state.q);
   for (const auto& candidate : candidates_) {
     const auto& [pair, distance, element] = candidate;
-    const double near = rest_distance(pair) + law_.smoothing();
+    const double near = law_.reach(rest_distance(pair));
     if (distance - nearer > near || !may_be_within(near, candidate, state.q)) continue;
     const auto x = pair.at(state.q);
     const auto s = separation(pair.shapes, x);
-    const double gap = s.distance - rest_distance(pair);
-    if (!(gap < law_.smoothing()) || s.distance == 0) continue;
+    if (!(s.distance < near) || s.distance == 0) continue;
     const double crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(x, pair.parallel2).factor : 1;
-    visit(Contact{pair, element, x, s, s.way / s.distance, gap, crossing * pair.area * law_.pressure(gap)});
+    const double pressure = law_.pressure(s.distance, rest_distance(pair));
+    visit(Contact{pair, element, x, s, s.way / s.distance, crossing * pair.area * pressure});
   }
 }
 
@@ -163,7 +159,7 @@ double ClothContact::energy(const State& state) const {
   visit(state, [&](const Contact& contact) {
     const auto& pair = contact.pair;
     const double crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(contact.x, pair.parallel2).factor : 1;
-    sum += crossing * pair.area * law_.energy(contact.gap);
+    sum += crossing * pair.area * law_.energy(contact.separation.distance, rest_distance(pair));
   });
   return sum;
 }
@@ -192,7 +188,8 @@ void ClothContact::add_force(const State& state, VectorRef force) const {
     const EdgeCrossing crossing(contact.x, pair.parallel2);
     if (crossing.is_constant()) return;
     for (std::size_t k = 0; k < 4; ++k)
-      point(force, pair.points[k]) -= pair.area * law_.energy(contact.gap) * crossing.gradient[k];
+      point(force, pair.points[k]) -=
+          pair.area * law_.energy(contact.separation.distance, rest_distance(pair)) * crossing.gradient[k];
   });
 }
 
@@ -200,22 +197,23 @@ void ClothContact::add_tangent(const State& state, double dq, double dv, Assembl
   const bool whole = tangent.keeps_unsymmetric();
   visit(state, [&](const Contact& contact) {
     if (contact.element < 0) throw std::logic_error("cloth contact has not adapted to the state");
-    const auto& [pair, element, x, s, n, gap, push] = contact;
+    const auto& [pair, element, x, s, n, push] = contact;
+    const double d = s.distance, rest = rest_distance(pair);
     const auto& w = s.weights;
     const std::size_t points = points_of(pair.shapes);
     const bool edges = pair.shapes == Shapes::edge_edge;
     const EdgeCrossing crossing = edges ? EdgeCrossing(x, pair.parallel2) : EdgeCrossing{};
     const SeparationHessian turning(s, x);
-    const double bend = push / s.distance;                                      // of the distance's own curvature
-    const double along = bend + crossing.factor * pair.area * law_.slope(gap);  // of n nᵀ
+    const double bend = push / s.distance;                                          // of the distance's own curvature
+    const double along = bend + crossing.factor * pair.area * law_.slope(d, rest);  // of n nᵀ
     const Matrix3 nn = n * n.transpose();
     const auto conservative = [&](std::size_t k, std::size_t l) -> Matrix3 {
       Matrix3 block = bend * turning.block(k, l) - along * w[k] * w[l] * nn;
       if (edges && !crossing.is_constant()) {
-        const double pressure = pair.area * law_.pressure(gap);
+        const double pressure = pair.area * law_.pressure(d, rest);
         block +=
             pressure * (w[k] * n * crossing.gradient[l].transpose() + w[l] * crossing.gradient[k] * n.transpose()) -
-            pair.area * law_.energy(gap) * crossing.hessian(k, l);
+            pair.area * law_.energy(d, rest) * crossing.hessian(k, l);
       }
       return block;
     };
@@ -224,8 +222,8 @@ void ClothContact::add_tangent(const State& state, double dq, double dv, Assembl
       friction.emplace(s, x, n, velocities(pair, state), options_.friction, push, options_.friction_law,
                        options_.whole_friction_tangent);
       if (whole)
-        friction->know_push_gradient(crossing.factor * pair.area * law_.slope(gap), pair.area * law_.pressure(gap),
-                                     crossing.gradient);
+        friction->know_push_gradient(crossing.factor * pair.area * law_.slope(d, rest),
+                                     pair.area * law_.pressure(d, rest), crossing.gradient);
     }
     const auto e = static_cast<std::size_t>(element);
     for (std::size_t k = 0; k < points; ++k)

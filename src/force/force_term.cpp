@@ -1,5 +1,7 @@
 #include "sundrape/force/force_term.hpp"
 
+#include <fmt/format.h>
+
 namespace sundrape {
 
 void ForceTerm::add_energies(const State& state, Energies& energies) const {
@@ -25,6 +27,11 @@ void ForceTerm::add_energies(const State& state, Energies& energies) const {
     case EnergyKind::none:
       break;
   }
+}
+
+std::string describe(const Passage& passage) {
+  return fmt::format("cloth would pass through cloth, {}, at ({:.4g}, {:.4g}, {:.4g}) m", passage.what,
+                     passage.place.x(), passage.place.y(), passage.place.z());
 }
 
 }  // namespace sundrape

@@ -75,6 +75,7 @@ class Cvode final : public ImplicitIntegrator {
     iteration_.use_rule(options_.newton_accuracy < 1, [this](N_Vector total) { return admits_end(total); });
     require_success(CVodeSetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "CVodeSetNonlinConvCoef");
     require_success(CVodeSetMaxNumSteps(m, -1), "CVodeSetMaxNumSteps");
+    require_success(CVodeSetMinStep(m, least_step), "CVodeSetMinStep");
     require_success(CVodeSetMaxConvFails(m, 20), "CVodeSetMaxConvFails");
     require_success(CVodeSetMaxErrTestFails(m, 20), "CVodeSetMaxErrTestFails");
     if (options_.max_step) require_success(CVodeSetMaxStep(m, *options_.max_step), "CVodeSetMaxStep");

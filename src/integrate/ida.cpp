@@ -76,6 +76,7 @@ class Ida final : public ImplicitIntegrator {
     iteration_.use_rule(options_.newton_accuracy < 1, [this](N_Vector total) { return admits_end(total); });
     require_success(IDASetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "IDASetNonlinConvCoef");
     require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
+    require_success(IDASetMinStep(m, least_step), "IDASetMinStep");
     require_success(IDASetMaxConvFails(m, 20), "IDASetMaxConvFails");
     require_success(IDASetMaxErrTestFails(m, 20), "IDASetMaxErrTestFails");
     if (options_.max_step) require_success(IDASetMaxStep(m, *options_.max_step), "IDASetMaxStep");

@@ -1,7 +1,5 @@
 #include "sundrape/integrate/step_guard.hpp"
 
-#include <fmt/format.h>
-
 namespace sundrape {
 
 StepGuard::StepGuard(const System& system) : system_(system) {
@@ -23,11 +21,6 @@ bool StepGuard::admits(double time, ConstVectorRef rows_q) {
   if (!to_.allFinite()) return true;  // others refuse it
   refusal_ = system_.passage({from_time_, from_, still_}, {time, to_, still_});
   return !refusal_;
-}
-
-std::string describe(const Passage& passage) {
-  return fmt::format("cloth would pass through cloth, {}, at ({:.4g}, {:.4g}, {:.4g}) m", passage.what,
-                     passage.place.x(), passage.place.y(), passage.place.z());
 }
 
 }  // namespace sundrape

@@ -57,6 +57,9 @@ class SundialsIntegrator : public Integrator {
   IntegratorStatistics banked_;
 };
 
+/// Implicit steps that must be shorter still lead nowhere [s]: time would no longer pass.
+inline constexpr double least_step = 1e-13;
+
 /// What the implicit ones add: Newton's matrix, refreshed at every iteration, and the error weights.
 ///
 /// A matrix from the step's prediction knows nothing of the nodes that meet an obstacle within the step, and the

@@ -273,7 +273,7 @@ Section gust() {
                .unit = "s",
                .range = positive(),
                .default_value = "1",
-               .doc = "Of the slowest wave; the others are 1.62 and 2.62 times as fast."},
+               .doc = "Of the slowest wave; the others are 1.73 and 2.65 times as fast."},
               {.name = "seed",
                .type = KeyType::integer,
                .range = from_to(0, 4294967295.0),

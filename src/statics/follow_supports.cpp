@@ -8,9 +8,10 @@
 namespace sundrape {
 namespace {
 
-constexpr double cautious = 0.2;  // of the largest move: without a prediction, and for obstacles
-constexpr double lagging = 0.5;   // a prediction of less than this part of the supports' way: they start from rest
-constexpr int looks = 32;         // at places on the way of a step, which may lead there and back
+constexpr double cautious = 0.2;   // of the largest move: without a prediction, and for obstacles
+constexpr double lagging = 0.5;    // a prediction of less than this part of the supports' way: they start from rest
+constexpr int most_halvings = 20;  // of a prediction that leads through cloth
+constexpr int looks = 32;          // at places on the way of a step, which may lead there and back
 
 /// Largest way of `far` from the beginning of a step to any time in it [m].
 template <class Way>
@@ -40,6 +41,13 @@ double shortened(const System& system, const FollowOptions& options, const Vecto
   };
   while (step > least && too_far(from + step)) step *= 0.5;
   return step;
+}
+
+/// Whether cloth that goes from one shape to another passes through cloth.
+bool passes_through(const System& system, const Vector& from, const Vector& to, double time) {
+  if (!system.watches_passages()) return false;
+  const Vector still = Vector::Zero(from.size());
+  return system.passage({time, from, still, statics_by_time}, {time, to, still, statics_by_time}).has_value();
 }
 
 /// Work of supports and obstacles that go from one place to another while the free points rest: their forces at one
@@ -77,14 +85,23 @@ FollowResult follow_supports(const System& system, LinearSolver& solver, const F
       rate.setZero();
       step = shortened(system, options, q, result.time, step, cautious * largest_move);
     }
+    Vector tried = q;
+    const auto predict = [&] {
+      tried = q;
+      equations.move(tried, step * rate, result.time + step);
+    };
+    predict();
+    for (int halvings = 0; halvings < most_halvings && passes_through(system, q, tried, result.time); ++halvings) {
+      step *= 0.5;
+      predict();
+    }
     const bool last = step == remaining;
 
     auto relaxation = options.relaxation;
     relaxation.load_factor = last ? to : result.time + step;
     relaxation.stage = statics_by_time;
     if (!last) relaxation.tolerance = std::max(options.loose_tolerance, relaxation.tolerance);
-    Vector tried = q;
-    equations.move(tried, step * rate, relaxation.load_factor);
+    if (last) equations.move(tried, Vector::Zero(rate.size()), to);
     const auto found = relax(system, solver, relaxation, tried, observer);
     result.relaxation = after(result.relaxation, found);
     ++result.relaxation.factorizations;  // of the prediction

@@ -94,6 +94,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
 
   RelaxationResult result;
   result.residual = balance.evaluate(q);
+  std::optional<Passage> passage;  // that the last step tried would have meant
   double h = options.first_step, time = 0;
   for (; result.residual > options.tolerance; ++result.iterations) {
     const auto stall = [&](const std::string& why, const std::string& advice) {
@@ -139,7 +140,8 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
       for (int halving = 0; halving <= most_halvings; ++halving, step *= 0.5) {
         tried = q;
         unknowns.scatter(rows_q + step, tried);
-        if (system.passage(balance.state(q), balance.state(tried))) continue;
+        passage = system.passage(balance.state(q), balance.state(tried));
+        if (passage) continue;
         const double residual = balance.evaluate(tried);
         const double rise = -0.5 * step.dot(force + balance.rows());
         if (!std::isfinite(residual) || (options.largest_rise > 0 && rise > options.largest_rise)) continue;
@@ -148,8 +150,12 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
       }
       return false;
     };
+    passage.reset();
     double move = 0;  // that Newton's step asked for, of the node that moves furthest [m]
     for (;; ++report.refused, h *= cut) {
+      if (h < smallest_step && passage)
+        return stall(describe(*passage) + ", however small the step: relaxation cannot go on",
+                     "look whether supports press layers into each other");
       if (h < smallest_step)
         return stall("relaxation cannot take any step", "two nodes may coincide, or a contact may be far too stiff");
       if (!find_step()) continue;

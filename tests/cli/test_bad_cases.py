@@ -36,7 +36,6 @@ SLIPS = {
                                          "load.1.nodes", "edge"),
     "traction on nodes that are no edge": ("[[obstacle]]", '[[load]]\nkind = "traction"\nnodes = { near = [0, 0, 0] }\nper_length = [0, 1, 0]\n[[obstacle]]',
                                            "load.1.nodes", "edge"),
-    "wind": ('kind = "gravity"\nacceleration = [0, 0, -9.80665]', 'kind = "wind"', "load.0.kind", "not available"),
     "negative radius": ('kind = "plane"', 'kind = "sphere"\nradius = "-1 cm"', "obstacle.0.radius", "outside (0, inf)"),
     "obstacle mesh": ('kind = "plane"', 'kind = "mesh"\nfile = "sheet.obj"', "obstacle.0.file", "vertex index"),
     "normal without a length": ('kind = "plane"', 'kind = "plane"\nnormal = [0, 0, 0]', "obstacle.0.normal", "length"),

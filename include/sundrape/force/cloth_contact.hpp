@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "sundrape/force/cloth_law.hpp"
 #include "sundrape/force/cloth_pairs.hpp"
-#include "sundrape/force/contact_law.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/friction_law.hpp"
 
@@ -39,7 +39,7 @@ struct ClothContactReport {
 class ClothContact final : public ForceTerm {
  public:
   /// @throws std::invalid_argument  unless the thickness exceeds the law's smoothing, and friction is not negative
-  ClothContact(ClothPairs pairs, ContactLaw law, ClothContactOptions options);
+  ClothContact(ClothPairs pairs, const ContactLaw& law, ClothContactOptions options);
 
   [[nodiscard]] std::string_view name() const override { return "cloth contact"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::contact; }
@@ -52,7 +52,7 @@ class ClothContact final : public ForceTerm {
   [[nodiscard]] bool watches_passages() const override { return true; }
   [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const override;
 
-  [[nodiscard]] const ContactLaw& law() const { return law_; }
+  [[nodiscard]] const ClothLaw& law() const { return law_; }
   [[nodiscard]] const ClothContactOptions& options() const { return options_; }
   [[nodiscard]] const SheetSurface& surface() const { return pairs_.surface(); }
   [[nodiscard]] ClothContactReport report(const State& state) const;
@@ -75,12 +75,14 @@ class ClothContact final : public ForceTerm {
     std::array<Vector3, 4> x;
     Separation separation;
     Vector3 normal;  // unit vector along the way
-    double gap;      // [m]
     double push;     // A p, less of edges that are nearly parallel [N]
   };
 
-  [[nodiscard]] double reach() const { return pairs_.largest_thickness() + 0.5 * law_.smoothing(); }
-  [[nodiscard]] double rest_distance(const ClothPair& pair) const;  // where the gap of the law is 0
+  [[nodiscard]] double reach() const { return law_.reach(pairs_.largest_thickness()); }
+  /// At which distance a pair rests under no load, nearly [m].
+  [[nodiscard]] static double rest_distance(const ClothPair& pair) {
+    return (pair.shapes == Shapes::edge_edge ? edge_share : 1) * pair.thickness;
+  }
   /// Candidates for all states whose nodes are near q.
   void search(const ConstVectorRef& q, double margin) const;
   /// How far nodes have moved, at most, since the candidates at hand were found [m].
@@ -99,7 +101,7 @@ class ClothContact final : public ForceTerm {
   }
 
   ClothPairs pairs_;
-  ContactLaw law_;
+  ClothLaw law_;
   ClothContactOptions options_;
   double mean_edge_;  // at rest [m]
 

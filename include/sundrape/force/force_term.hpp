@@ -18,6 +18,9 @@ struct Passage {
   Vector3 place;     // [m]
 };
 
+/// "cloth would pass through cloth, node 7 through ..., at (...) m"
+[[nodiscard]] std::string describe(const Passage& passage);
+
 /// One contribution to  M a = Σ f_k(q, v, t).
 ///
 /// A term knows its energy, its force, the exact derivatives of its force and which points it couples. It knows

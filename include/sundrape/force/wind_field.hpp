@@ -10,7 +10,7 @@ struct WindField {
   double period = 1;                   // of the slowest of them [s]
   unsigned seed = 1;                   // of their phases
 
-  /// At a time: the mean and  gust · Σ sin(2π r_k t/T + φ_k)/3  with r = 1, 1.618…, 2.618…, which never repeats.
+  /// At a time: the mean and  gust · Σ sin(2π r_k t/T + φ_k)/3  with r = 1, √3, √7, which never repeats.
   [[nodiscard]] Vector3 at(double time) const;
 };
 

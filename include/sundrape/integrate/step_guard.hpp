@@ -25,7 +25,4 @@ class StepGuard {
   std::optional<Passage> refusal_;
 };
 
-/// "cloth would pass through cloth: node 7 through ..., at (...) m"
-[[nodiscard]] std::string describe(const Passage& passage);
-
 }  // namespace sundrape
