@@ -42,6 +42,12 @@ void refuse_analysis(const Settings& sets) {
                       "a crosscheck runs every analysis; choose among them by --methods");
 }
 
+void refuse_pieces(const Case& c) {
+  if (c.pieces() > 1)
+    throw CaseError({.file = c.file.string(), .key = "cloth"},
+                    "a crosscheck looks for the shapes of one sheet: check the pieces of this case one by one");
+}
+
 void refuse_grips(const Case& c) {
   const auto refuse = [](const auto& support) {
     if (!support.grip.always())
@@ -58,6 +64,7 @@ class Work {
  public:
   explicit Work(const CrosscheckOptions& options)
       : options_(options), case_(read_case(options.case_file, options.sets)), model_(perfect_model(case_)) {
+    refuse_pieces(case_);
     refuse_grips(case_);
     batch_ = {.case_file = options.case_file,
               .folder = options.folder.value_or(options.case_file.stem().string() + "-crosscheck"),

@@ -119,13 +119,20 @@ void unwrap_single_cloth(toml::table& root) {
   root.insert_or_assign("cloth", std::move(piece));
 }
 
-/// The tables that may have a material: the case and its pieces of cloth.
-std::vector<toml::table*> owners_of_materials(toml::table& root) {
-  std::vector<toml::table*> owners{&root};
-  if (auto* piece = root.get_as<toml::table>("cloth")) owners.push_back(piece);
+/// A table that may have a material: the case, or one of its pieces of cloth.
+struct OwnerOfMaterial {
+  toml::table* table;
+  std::string path;  // what its keys begin with
+};
+
+std::vector<OwnerOfMaterial> owners_of_materials(toml::table& root) {
+  std::vector<OwnerOfMaterial> owners{{&root, ""}};
+  if (auto* piece = root.get_as<toml::table>("cloth")) owners.push_back({piece, "cloth."});
   if (auto* pieces = root.get_as<toml::array>("cloth"))
-    for (auto& piece : *pieces)
-      if (piece.is_table()) owners.push_back(piece.as_table());
+    for (int k = 0; auto& piece : *pieces) {
+      if (piece.is_table()) owners.push_back({piece.as_table(), "cloth." + std::to_string(k) + "."});
+      ++k;
+    }
   return owners;
 }
 
@@ -145,10 +152,13 @@ toml::table parse_document(std::string_view text, const std::string& file, const
   toml::table root = parse_toml(text, file);
   unwrap_single_cloth(root);
   std::vector<bool> had_fabric;
-  for (const auto* owner : owners_of_materials(root)) had_fabric.push_back(names_fabric(*owner));
+  for (const auto& owner : owners_of_materials(root)) had_fabric.push_back(names_fabric(*owner.table));
   for (const auto& set : sets) Setting(set).apply(root);
-  for (std::size_t k = 0; auto* owner : owners_of_materials(root))
-    include_fabric(*owner, std::filesystem::path(file).parent_path(), had_fabric[k++]);
+  const auto folder = std::filesystem::path(file).parent_path();
+  const auto owners = owners_of_materials(root);
+  had_fabric.resize(owners.size(), false);  // a setting may have put a piece where none was
+  for (std::size_t k = 0; k < owners.size(); ++k)
+    include_fabric(*owners[k].table, owners[k].path, folder, had_fabric[k]);
   return root;
 }
 

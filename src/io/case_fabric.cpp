@@ -62,10 +62,11 @@ bool is_set(const toml::node& node) {
   return source.path && source.path->starts_with("--set ");
 }
 
-toml::table read_fabric(const toml::node& name, const std::filesystem::path& folder) {
+/// @param key  what the case calls it
+toml::table read_fabric(const toml::node& name, const std::string& key, const std::filesystem::path& folder) {
   const FabricLibrary library(folder);
   const std::string written = name.as_string()->get();
-  const SourceLine here = source_line(name.source(), "material.fabric", {});
+  const SourceLine here = source_line(name.source(), key, {});
   const auto file = library.find(written);
   if (!file && written.ends_with(".toml"))
     throw CaseError(here, fmt::format("'{}' is not there (sought beside the case file)", written));
@@ -109,11 +110,11 @@ bool names_fabric(const toml::table& owner) {
   return material != nullptr && material->contains("fabric");
 }
 
-void include_fabric(toml::table& owner, const std::filesystem::path& folder, bool overridden) {
+void include_fabric(toml::table& owner, const std::string& path, const std::filesystem::path& folder, bool overridden) {
   auto* material = owner.get_as<toml::table>("material");
   const auto* name = material ? material->get("fabric") : nullptr;
   if (name == nullptr || !name->is_string()) return;  // a fabric that is no name is for the checks to refuse
-  toml::table fabric = read_fabric(*name, folder);
+  toml::table fabric = read_fabric(*name, path + "material.fabric", folder);
   if (!fabric.contains("title")) fabric.insert("title", name->as_string()->get());
   material->erase("fabric");
   if (!overridden)

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include <toml++/toml.h>
 
@@ -14,10 +15,11 @@ namespace sundrape {
 /// A key beside `fabric` replaces the fabric's; one of the alternatives of which a material has one (weight or a
 /// density, one modulus or three) replaces the others. `damping` and `net` are merged key by key. Every value keeps
 /// where it comes from, for errors.
+/// @param path        what the keys of the owner begin with: "" or "cloth.1."
 /// @param folder      that of the case file
 /// @param overridden  false: the file spells its material out and a setting puts a fabric in its place, of which only
 ///                    other settings, `damping` and `net` are spared
 /// @throws CaseError  no such fabric, or its file is not TOML
-void include_fabric(toml::table& owner, const std::filesystem::path& folder, bool overridden);
+void include_fabric(toml::table& owner, const std::string& path, const std::filesystem::path& folder, bool overridden);
 
 }  // namespace sundrape

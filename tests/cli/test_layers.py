@@ -276,6 +276,23 @@ analysis = "relaxation"
         self.assertIn("a piece cannot be called 'left'", refused.stderr)
 
 
+    def test_errors_name_the_piece(self):
+        case = f"""model = "particle"
+analysis = "relaxation"
+{sheets([((0, 0, 0), (0, 0, 1), 0), ((0, 0, 0.1), (0, 0, 1), 0)])}material = {{ fabric = "siilk" }}
+{MATERIAL}
+{GRAVITY}
+"""
+        refused = self.sundrape("check", self.write("silk.toml", case))
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(refused.stderr, r"silk.toml:\d+: cloth.1.material.fabric: there is no fabric 'siilk'")
+
+    def test_crosschecks_are_for_single_sheets(self):
+        refused = self.sundrape("crosscheck", CASES / "stacked_sheets.toml")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("shapes of one sheet", refused.stderr)
+
+
 class Air(Layers):
     def test_a_flat_sheet_falls_at_its_terminal_velocity(self):
         drag, density = 1.1, 1.2
