@@ -44,7 +44,7 @@ std::optional<ClothCase> with_fewer_cells(ClothCase cloth, int extra) {
 /// What selectors of supports and loads pick, in the order of the case.
 std::vector<std::pair<const Selector*, std::vector<int>>> picked(const Case& c, const QuadMesh& mesh) {
   std::vector<std::pair<const Selector*, std::vector<int>>> all;
-  const auto placed = place(mesh.reference, c.cloth.place);
+  const auto placed = place(mesh.reference, c.sheet().cloth.place);
   const auto add = [&](const Selector& selector) { all.emplace_back(&selector, select(selector, mesh, placed)); };
   for (const auto& fix : c.fixes) add(fix.nodes);
   for (const auto& load : c.loads)
@@ -86,17 +86,17 @@ bool picks_the_same(const Case& c, const QuadMesh& fine, const QuadMesh& coarse)
 }
 
 double longest_edge(const Case& c, const CaseModel& model) {
-  const double bending = std::max(c.fabric.warp_bending, c.fabric.weft_bending);
+  const double bending = std::max(c.sheet().fabric.warp_bending, c.sheet().fabric.weft_bending);
   const double bending_length = std::cbrt(bending / model.area_weight);
   return bending_length * (c.model == Model::shell ? longest_shell_edge : longest_net_edge);
 }
 
 std::optional<CoarserCase> coarser(const Case& c, const CaseModel& model) {
   for (const int extra : {0, 1}) {
-    auto cloth = with_fewer_cells(c.cloth, extra);
+    auto cloth = with_fewer_cells(c.sheet().cloth, extra);
     if (!cloth) continue;
     Case coarse = c;
-    coarse.cloth = std::move(*cloth);
+    coarse.sheet().cloth = std::move(*cloth);
     coarse.output.probes.clear();
     try {
       auto built = build_model(coarse);
@@ -112,7 +112,7 @@ std::optional<CoarserCase> coarser(const Case& c, const CaseModel& model) {
 
 std::vector<CoarserCase> coarser_cases(const Case& c, const CaseModel& model) {
   std::vector<CoarserCase> cases;
-  if (model.mesh.nodes() < least_nodes || c.pieces() > 1) return cases;
+  if (model.mesh.nodes() < least_nodes || c.pieces.size() > 1) return cases;
   auto next = coarser(c, model);
   while (next) {
     cases.push_back(std::move(*next));

@@ -43,7 +43,7 @@ void refuse_analysis(const Settings& sets) {
 }
 
 void refuse_pieces(const Case& c) {
-  if (c.pieces() > 1)
+  if (c.pieces.size() > 1)
     throw CaseError({.file = c.file.string(), .key = "cloth"},
                     "a crosscheck looks for the shapes of one sheet: check the pieces of this case one by one");
 }

@@ -13,7 +13,7 @@ namespace {
 /// Air as thick as makes a pendulum of the sheet's length creep rather than swing, and time enough.
 std::vector<std::string> damped_motion(const Case& c, const CaseModel& model) {
   const double swing = std::sqrt(model.size / model.gravity);  // [s]
-  std::vector<std::string> sets{fmt::format("material.damping.mass={:.6g}", std::max(c.fabric.damping.mass, 1 / swing)),
+  std::vector<std::string> sets{fmt::format("material.damping.mass={:.6g}", std::max(c.sheet().fabric.damping.mass, 1 / swing)),
                                 fmt::format("dynamics.duration={:.6g}", 400 * swing), "dynamics.until_rest=1e-9",
                                 "dynamics.rtol=1e-5"};
   if (c.dynamics.integrator == IntegratorKind::rk4) sets.emplace_back("dynamics.integrator=cvode");
@@ -40,8 +40,8 @@ std::vector<Method> crosscheck_methods(const Case& c, const CaseModel& model) {
 }
 
 std::vector<std::string> common_settings(const Case& c) {
-  if (c.cloth.waviness_given || c.cloth.start) return {};
-  return {fmt::format("cloth.waviness={{ amplitude = {:.6g}, seed = 1 }}", default_waviness(c.piece_at(0)))};
+  if (c.sheet().cloth.waviness_given || c.sheet().cloth.start) return {};
+  return {fmt::format("cloth.waviness={{ amplitude = {:.6g}, seed = 1 }}", default_waviness(c.sheet()))};
 }
 
 }  // namespace sundrape

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -20,8 +21,8 @@ using Clock = std::chrono::steady_clock;
 
 /// The law of friction begins with the slope 3 μ p/s₀; edges of obstacles carry several times the weight above them.
 ContactRates contact_rates(const Case& c, const CaseModel& model) {
-  double density = c.fabric.area_density, stiffness = 0, friction = 0;
-  for (const auto& piece : c.further) density = std::min(density, piece.fabric.area_density);
+  double density = std::numeric_limits<double>::infinity(), stiffness = 0, friction = 0;
+  for (const auto& piece : c.pieces) density = std::min(density, piece.fabric.area_density);
   if (model.contact != nullptr) {
     stiffness = model.contact->law().stiffness();
     friction = model.contact->largest_friction();

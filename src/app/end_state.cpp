@@ -33,16 +33,14 @@ Vector held_forces(const CaseModel& model, const State& all) {
 }  // namespace
 
 CaseModel weighing_model(Case c) {
-  c.cloth.waviness_at_rest = is_wavy_at_rest(c, c.piece_at(0));  // by default a matter of the analysis
-  for (auto& piece : c.further) piece.cloth.waviness_at_rest = is_wavy_at_rest(c, piece);
+  for (auto& piece : c.pieces)
+    piece.cloth.waviness_at_rest = is_wavy_at_rest(c, piece);  // by default a matter of the analysis
   c.analysis = Analysis::relaxation;
   return build_model(c);
 }
 
 CaseModel perfect_model(Case c) {
-  c.cloth.waviness_amplitude = 0;
-  c.cloth.waviness_given = true;
-  for (auto& piece : c.further) {
+  for (auto& piece : c.pieces) {
     piece.cloth.waviness_amplitude = 0;
     piece.cloth.waviness_given = true;
   }

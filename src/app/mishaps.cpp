@@ -33,7 +33,7 @@ std::optional<std::string> Mishaps::tear(const State& all) const {
 }
 
 std::optional<std::string> Mishaps::collision(const State& all) const {
-  const double deepest = case_.fabric.thickness;
+  const double deepest = case_.sheet().fabric.thickness;
   for (std::size_t n = 0; n < gaps_.size(); ++n) {
     const int node = static_cast<int>(n);
     if (!model_.system->unknowns().is_held(node)) continue;

@@ -108,14 +108,14 @@ void add_loads(const Case& c, CaseModel& model, const Threads& threads, const st
   model.weight = sheet.mass.head(model.mesh.nodes()).sum() * gravity.norm();
   model.gravity = gravity.norm() > 0 ? gravity.norm() : 9.80665;
   model.area_weight = 0;
-  for (std::size_t k = 0; k < c.pieces(); ++k)
-    model.area_weight = std::max(model.area_weight, c.piece_at(k).fabric.area_density * model.gravity);
+  for (const auto& piece : c.pieces)
+    model.area_weight = std::max(model.area_weight, piece.fabric.area_density * model.gravity);
 }
 
 /// Drag of the air as a part of each piece's mass.
 void add_drag(const Case& c, const CaseModel& model, Sheet& sheet) {
-  for (std::size_t k = 0; k < c.pieces(); ++k) {
-    const double rate = c.piece_at(k).fabric.damping.mass;
+  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+    const double rate = c.pieces[k].fabric.damping.mass;
     if (rate == 0) continue;
     Vector mass = Vector::Zero(sheet.mass.size());
     const auto& piece = model.pieces[k];
@@ -129,10 +129,8 @@ void add_drag(const Case& c, const CaseModel& model, Sheet& sheet) {
 double contact_stiffness(const Case& c, const CaseModel& model) {
   // finer nets spread a load over several points
   double bending = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < c.pieces(); ++k) {
-    const auto fabric = c.piece_at(k).fabric;
-    bending = std::min(bending, std::max(fabric.warp_bending, fabric.weft_bending));
-  }
+  for (const auto& piece : c.pieces)
+    bending = std::min(bending, std::max(piece.fabric.warp_bending, piece.fabric.weft_bending));
   const double part_of_bending_length = 0.125 * std::cbrt(bending / model.area_weight);
   return c.contact.stiffness.value_or(suggested_stiffness(
       {.weight_per_area = model.area_weight,
@@ -145,9 +143,9 @@ double contact_stiffness(const Case& c, const CaseModel& model) {
 std::vector<double> thicknesses(const Case& c, const CaseModel& model) {
   std::vector<double> of_nodes(static_cast<std::size_t>(model.mesh.nodes()), c.contact.thickness);
   if (c.contact.thickness_given) return of_nodes;
-  for (std::size_t k = 0; k < c.pieces(); ++k) {
+  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
     const auto& piece = model.pieces[k];
-    std::fill_n(of_nodes.begin() + piece.first_node, piece.nodes, c.piece_at(k).fabric.thickness);
+    std::fill_n(of_nodes.begin() + piece.first_node, piece.nodes, c.pieces[k].fabric.thickness);
   }
   return of_nodes;
 }
@@ -302,13 +300,13 @@ CaseModel build_model(const Case& c) {
   model.surface = SheetSurface(model.mesh);
   add_cloth_contact(c, model, sheet.terms);
 
-  const auto earlier = c.cloth.start ? start_of(*c.cloth.start, model.mesh) : ShapeAtRest{placed, {}};
-  auto start = c.cloth.start ? wavy(model.mesh, earlier.positions, c.cloth.waviness_amplitude, c.cloth.waviness_seed)
+  const auto earlier = c.sheet().cloth.start ? start_of(*c.sheet().cloth.start, model.mesh) : ShapeAtRest{placed, {}};
+  auto start = c.sheet().cloth.start ? wavy(model.mesh, earlier.positions, c.sheet().cloth.waviness_amplitude, c.sheet().cloth.waviness_seed)
                              : cloth.initial;
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];
-  if (model.contact != nullptr && !c.cloth.start)
+  if (model.contact != nullptr && !c.sheet().cloth.start)
     lay_on_obstacles(*model.contact, first_share(c) * model.area_weight, supports, start);
   auto points = start;
   if (model.has_directors()) {
@@ -320,7 +318,7 @@ CaseModel build_model(const Case& c) {
       Vector3 director = carried[i];
       const bool any_held = held[0] || held[1] || held[2];
       for (std::size_t k = 0; k < 3; ++k)  // of a sheet at its start a director that is held at all stands as placed
-        if (held[k] || (any_held && !c.cloth.start))
+        if (held[k] || (any_held && !c.sheet().cloth.start))
           director[static_cast<int>(k)] = sheet.directors[i][static_cast<int>(k)];
       points.emplace_back(model.director_length * director);
     }

@@ -47,7 +47,7 @@ double waviness(const Case& c, const PieceCase& piece) {
   const auto& cloth = piece.cloth;
   if (is_wavy_at_rest(c, piece)) return 0;
   const bool said = cloth.waviness_given.value_or(false) || cloth.waviness_amplitude > 0;
-  if (said || c.cloth.start || c.analysis != Analysis::relaxation) return cloth.waviness_amplitude;
+  if (said || c.sheet().cloth.start || c.analysis != Analysis::relaxation) return cloth.waviness_amplitude;
   return default_waviness(piece);
 }
 
@@ -65,8 +65,7 @@ Cloth build_cloth(const Case& c) {
   std::vector<QuadMesh> sheets;
   std::vector<std::string> names;
   Cloth cloth;
-  for (std::size_t k = 0; k < c.pieces(); ++k) {
-    const auto piece = c.piece_at(k);
+  for (const auto& piece : c.pieces) {
     auto mesh = build_mesh(piece.cloth);
     const auto amplitude = piece.cloth.waviness_amplitude;
     const auto seed = piece.cloth.waviness_seed;
@@ -77,14 +76,14 @@ Cloth build_cloth(const Case& c) {
     cloth.initial.insert(cloth.initial.end(), initial.begin(), initial.end());
     cloth.size = std::max(cloth.size, longest_side(mesh.reference));
     cloth.diagonal = std::max(cloth.diagonal, diagonal(mesh));
-    if (c.pieces() > 1) mesh.reference = placed;
+    if (c.pieces.size() > 1) mesh.reference = placed;
     sheets.push_back(std::move(mesh));
     names.push_back(piece.name);
   }
   cloth.pieces = pieces_of(sheets, names);
   if (sheets.size() == 1) {
     cloth.mesh = std::move(sheets.front());
-    cloth.placement = placement(c.cloth.place);
+    cloth.placement = placement(c.sheet().cloth.place);
   } else {
     require_own_names(c, sheets, names);
     cloth.mesh = joined(sheets, names);

@@ -64,7 +64,7 @@ Sheet net_sheet(const Case& c, const Cloth& cloth, const Threads& threads, const
   sheet.mass = Vector::Zero(cloth.mesh.nodes());
   for (std::size_t k = 0; k < cloth.pieces.size(); ++k) {
     const auto& piece = cloth.pieces[k];
-    const auto fabric = c.piece_at(k).fabric;
+    const auto& fabric = c.pieces[k].fabric;
     const auto mesh = only(cloth.mesh, piece);
     sheet.mass += lumped_mass(mesh, fabric);
     const auto own_threads = threads_between(threads, piece.first_node, piece.first_node + piece.nodes);
@@ -89,7 +89,7 @@ Sheet shell_sheet(const Case& c, const Cloth& cloth) {
   const auto areas = tributary_areas(cloth.mesh);
   for (std::size_t k = 0; k < cloth.pieces.size(); ++k) {
     const auto& piece = cloth.pieces[k];
-    const auto of_case = c.piece_at(k);
+    const auto& of_case = c.pieces[k];
     const auto& fabric = of_case.fabric;
     const auto mesh = only(cloth.mesh, piece);
     const Vector node_mass = lumped_mass(mesh, fabric);

@@ -91,8 +91,7 @@ std::unique_ptr<LinearSolver> dynamics_solver(const Case& c) {
   const auto& name = c.dynamics.linear_solver;
   // the symmetric part is good enough for the little that a pressure turns
   bool skew = false, narrow = true;
-  for (std::size_t k = 0; k < c.pieces(); ++k) {
-    const auto piece = c.piece_at(k);
+  for (const auto& piece : c.pieces) {
     skew = skew || (c.model == Model::shell && !plate_bending(piece.fabric).is_symmetric());
     narrow = narrow && is_narrow(piece.cloth);
   }

@@ -53,7 +53,7 @@ std::optional<double> breaking_strain(const CaseSection& top) {
 
 double thickest(const Case& c) {
   double most = 0;
-  for (std::size_t k = 0; k < c.pieces(); ++k) most = std::max(most, c.piece_at(k).fabric.thickness);
+  for (const auto& piece : c.pieces) most = std::max(most, piece.fabric.thickness);
   return most;
 }
 
@@ -77,12 +77,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.title = top.has("title") ? top.text("title") : file.stem().string();
   resolved.model = choices::model.value(top.text("model"));
   resolved.analysis = choices::analysis.value(top.text("analysis"));
-  auto pieces = resolve_pieces(top, file.parent_path());
-  resolved.piece = pieces.front().name;
-  resolved.cloth = std::move(pieces.front().cloth);
-  resolved.fabric_title = pieces.front().fabric_title;
-  resolved.fabric = pieces.front().fabric;
-  resolved.further.assign(std::next(pieces.begin()), pieces.end());
+  resolved.pieces = resolve_pieces(top, file.parent_path());
   resolved.breaking_strain = breaking_strain(top);
   resolved.shell = resolve_shell(top.table("shell"));
   require_shell_model(top, resolved);
@@ -90,7 +85,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   resolved.motions = resolve_motions(top.tables("motion"), resolved.fixes, resolved.model, resolved.analysis);
   resolved.loads = resolve_loads(top.tables("load"));
   resolved.obstacles = resolve_obstacles(top.tables("obstacle"), resolved.analysis, file.parent_path());
-  resolved.contact = resolve_contact(top.table("contact"), thickest(resolved), resolved.pieces() > 1);
+  resolved.contact = resolve_contact(top.table("contact"), thickest(resolved), resolved.pieces.size() > 1);
   const CaseSection dynamics = top.table("dynamics");
   resolved.dynamics = resolve_dynamics(dynamics);
   require_integrator_of_director(top, resolved);
@@ -105,15 +100,13 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   }
   resolved.output =
       resolve_output(top.table("output"), resolved.analysis == Analysis::dynamics ? resolved.dynamics.duration : 0);
-  for (std::size_t k = 0; k < resolved.pieces(); ++k) {
-    const auto piece = resolved.piece_at(k);
+  for (const auto& piece : resolved.pieces)
     if (const auto* mesh = std::get_if<MeshShape>(&piece.cloth.shape))
-      resolved.inputs += (k == 0 ? "mesh " : " " + piece.name + " ") + fingerprint(mesh->file);
-  }
+      resolved.inputs += (&piece == &resolved.sheet() ? "mesh " : " " + piece.name + " ") + fingerprint(mesh->file);
   for (const auto& obstacle : resolved.obstacles)
     if (const auto* mesh = std::get_if<MeshBodyShape>(&obstacle.shape))
       resolved.inputs += " " + obstacle.name + " " + fingerprint(mesh->file);
-  if (resolved.cloth.start) resolved.inputs += " start " + fingerprint(resolved.cloth.start->file);
+  if (const auto& start = resolved.sheet().cloth.start) resolved.inputs += " start " + fingerprint(start->file);
   return resolved;
 }
 

@@ -31,7 +31,7 @@ void require_damping_of_massless_directors(const CaseSection& top, const Case& r
   if (resolved.model != Model::shell || resolved.analysis != Analysis::dynamics ||
       resolved.shell.director != ShellDirector::massless)
     return;
-  const auto& damping = resolved.fabric.damping;
+  const auto& damping = resolved.sheet().fabric.damping;
   for (const auto& [key, value] : {std::pair{"membrane", damping.membrane}, std::pair{"bending", damping.bending}})
     if (value == 0)
       top.table("shell").fail(

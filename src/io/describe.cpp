@@ -195,9 +195,9 @@ std::string describe(const Case& resolved) {
   out.text("title", resolved.title);
   out.text("model", choices::model.name(resolved.model));
   out.text("analysis", to_string(resolved.analysis));
-  for (std::size_t k = 0; k < resolved.pieces(); ++k) {
-    const auto piece = resolved.piece_at(k);
-    const bool several = resolved.pieces() > 1;
+  const bool several = resolved.pieces.size() > 1;
+  for (std::size_t k = 0; k < resolved.pieces.size(); ++k) {
+    const auto& piece = resolved.pieces[k];
     const std::string path = several ? fmt::format("cloth.{}", k) : "cloth";
     out.heading(several ? fmt::format("sheet '{}'", piece.name) : "the sheet");
     describe_cloth(out, piece.cloth, path);

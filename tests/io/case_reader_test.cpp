@@ -21,21 +21,21 @@ TEST(CaseReader, ResolvesTheSheetToSi) {
   const Case c = full();
   EXPECT_EQ(c.title, "Tablecloth on a square table");
   EXPECT_EQ(c.analysis, Analysis::dynamics);
-  const auto& sheet = std::get<RectangleShape>(c.cloth.shape);
+  const auto& sheet = std::get<RectangleShape>(c.sheet().cloth.shape);
   expect_close(sheet.length, 0.2);
   expect_close(sheet.width, 0.3);
   EXPECT_EQ(sheet.cells_warp, 20);
   EXPECT_EQ(sheet.cells_weft, 24);
-  EXPECT_LT((c.cloth.place.translate - Vector3(0, 0, 1e-3)).norm(), 1e-15);
-  EXPECT_EQ(c.cloth.place.axis, Vector3::UnitZ());
-  expect_close(c.cloth.place.angle, std::numbers::pi / 4);
-  EXPECT_EQ(c.cloth.waviness_given, true);
-  expect_close(c.cloth.waviness_amplitude, 2.54e-6);
-  EXPECT_EQ(c.cloth.waviness_seed, 7U);
+  EXPECT_LT((c.sheet().cloth.place.translate - Vector3(0, 0, 1e-3)).norm(), 1e-15);
+  EXPECT_EQ(c.sheet().cloth.place.axis, Vector3::UnitZ());
+  expect_close(c.sheet().cloth.place.angle, std::numbers::pi / 4);
+  EXPECT_EQ(c.sheet().cloth.waviness_given, true);
+  expect_close(c.sheet().cloth.waviness_amplitude, 2.54e-6);
+  EXPECT_EQ(c.sheet().cloth.waviness_seed, 7U);
 }
 
 TEST(CaseReader, ResolvesTheFabricToResultants) {
-  const Fabric fabric = full().fabric;
+  const Fabric fabric = full().sheet().fabric;
   const double h = 0.54229e-3;
   const double youngs_modulus = 118.1176 * gf * 1e6;
   expect_close(fabric.thickness, h);
@@ -160,14 +160,14 @@ TEST(CaseReader, FillsInTheDocumentedDefaults) {
   EXPECT_EQ(c.relaxation.growth, RelaxationCase{}.growth);
   EXPECT_EQ(c.contact.restitution_speed, ContactCase{}.restitution_speed);
   EXPECT_FALSE(c.contact.restitution || c.contact.stiffness);
-  EXPECT_EQ(c.fabric.damping.mass, Fabric{}.damping.mass);
-  EXPECT_DOUBLE_EQ(c.fabric.damping.membrane, Fabric{}.damping.membrane);
-  EXPECT_DOUBLE_EQ(c.fabric.damping.bending, Fabric{}.damping.bending);
-  EXPECT_EQ(c.fabric.net.compression_factor, Fabric{}.net.compression_factor);
-  EXPECT_EQ(c.fabric.net.shear_factor, Fabric{}.net.shear_factor);
-  EXPECT_EQ(c.fabric.net.diagonal_springs, Fabric{}.net.diagonal_springs);
-  EXPECT_EQ(c.fabric.net.diagonal_compression_factor, Fabric{}.net.diagonal_compression_factor);
-  EXPECT_FALSE(c.cloth.waviness_given.value_or(false));
+  EXPECT_EQ(c.sheet().fabric.damping.mass, Fabric{}.damping.mass);
+  EXPECT_DOUBLE_EQ(c.sheet().fabric.damping.membrane, Fabric{}.damping.membrane);
+  EXPECT_DOUBLE_EQ(c.sheet().fabric.damping.bending, Fabric{}.damping.bending);
+  EXPECT_EQ(c.sheet().fabric.net.compression_factor, Fabric{}.net.compression_factor);
+  EXPECT_EQ(c.sheet().fabric.net.shear_factor, Fabric{}.net.shear_factor);
+  EXPECT_EQ(c.sheet().fabric.net.diagonal_springs, Fabric{}.net.diagonal_springs);
+  EXPECT_EQ(c.sheet().fabric.net.diagonal_compression_factor, Fabric{}.net.diagonal_compression_factor);
+  EXPECT_FALSE(c.sheet().cloth.waviness_given.value_or(false));
 }
 
 TEST(CaseReader, SpreadsFramesOverTheDuration) {
@@ -201,14 +201,14 @@ TEST(CaseReader, RemembersWhereNodesWereAskedFor) {
 TEST(CaseReader, TakesWeightAsMassOrDensityAsWell) {
   const char* const rest = "\nthickness = 1e-3\nyoungs_modulus = 1e6\n";
   for (const auto* weight : {"weight = 1.96133", "density_area = \"200 g/m^2\"", "density = \"0.2 g/cm^3\""})
-    expect_close(parse_case(with_material(std::string(weight) + rest), "c.toml").fabric.area_density, 0.2);
+    expect_close(parse_case(with_material(std::string(weight) + rest), "c.toml").sheet().fabric.area_density, 0.2);
 }
 
 TEST(CaseReader, TakesWarpAndWeftApart) {
   const Fabric fabric = parse_case(with_material("thickness = 1e-3\ndensity_area = 0.2\nwarp_modulus = 2e6\n"
                                                  "weft_modulus = 1e6\nshear_modulus = 3e4\npoisson = [0.4]\n"),
                                    "c.toml")
-                            .fabric;
+                            .sheet().fabric;
   expect_close(fabric.warp_membrane, 2000);
   expect_close(fabric.weft_membrane, 1000);
   expect_close(fabric.shear_membrane, 30);
@@ -225,7 +225,7 @@ TEST(CaseReader, TakesAMeasuredTwist) {
                                                "bending = { rigidity = \"0.5 gf*cm\", twist_rigidity = "
                                                "\"0.1 gf*cm\" }\npoisson"),
                                    "c.toml")
-                            .fabric;
+                            .sheet().fabric;
   expect_close(fabric.warp_bending, 0.5e-2 * gf / 0.91);
   expect_close(fabric.bending_coupling, 0.3 * 0.5e-2 * gf / 0.91);
   expect_close(fabric.twist_bending, 0.1e-2 * gf);
@@ -240,7 +240,7 @@ std::string twill_bending(const std::string& more = "") {
 }
 
 TEST(CaseReader, TurnsAPolynomialOfTheTextileTradeToSi) {
-  const Fabric fabric = parse_case(sample_with("poisson", twill_bending()), "c.toml", {"model=shell"}).fabric;
+  const Fabric fabric = parse_case(sample_with("poisson", twill_bending()), "c.toml", {"model=shell"}).sheet().fabric;
   ASSERT_TRUE(fabric.measured_bending.has_value());
   const auto& bending = *fabric.measured_bending;
   EXPECT_EQ(bending.form, PlateBending::Form::energy);
@@ -265,7 +265,7 @@ TEST(CaseReader, TakesPolynomialsOfWarpAndWeftApart) {
       "bending = { law = \"polynomial\", coefficients = [[2e-5, 1e-8], [1e-5]], curvature_unit = \"1/m\", moment_unit "
       "= "
       "\"N\", max_curvature = [200, \"3 1/cm\"], form = \"paper\" }\npoisson";
-  const Fabric fabric = parse_case(sample_with("poisson", text), "c.toml", {"model=shell"}).fabric;
+  const Fabric fabric = parse_case(sample_with("poisson", text), "c.toml", {"model=shell"}).sheet().fabric;
   const auto& bending = fabric.measured_bending.value();
   EXPECT_EQ(bending.form, PlateBending::Form::paper);
   EXPECT_DOUBLE_EQ(bending.warp.at(100.0).moment, 2e-3 + 1e-4);
@@ -338,12 +338,12 @@ TEST(CaseReader, RefusesAPoissonNumberThatMakesASheetUnstable) {
 TEST(CaseReader, ReadsDiscsAndAnnuli) {
   const std::string sheet = "shape = \"rectangle\"\nsize = [\"20 cm\", \"20 cm\"]\ncells = [10, 10]";
   const auto disc = parse_case(sample_with(sheet, "shape = \"disc\"\nradius = \"15 cm\"\ncells = 24"), "c.toml");
-  expect_close(std::get<DiscShape>(disc.cloth.shape).radius, 0.15);
-  EXPECT_EQ(std::get<DiscShape>(disc.cloth.shape).cells, 24);
+  expect_close(std::get<DiscShape>(disc.sheet().cloth.shape).radius, 0.15);
+  EXPECT_EQ(std::get<DiscShape>(disc.sheet().cloth.shape).cells, 24);
   const std::string ring = "shape = \"annulus\"\ninner_radius = \"6 cm\"\nouter_radius = \"10 cm\"\ncells = [6, 30]";
   const auto annulus = parse_case(sample_with(sheet, ring), "c.toml");
-  expect_close(std::get<AnnulusShape>(annulus.cloth.shape).inner_radius, 0.06);
-  EXPECT_EQ(std::get<AnnulusShape>(annulus.cloth.shape).cells_around, 30);
+  expect_close(std::get<AnnulusShape>(annulus.sheet().cloth.shape).inner_radius, 0.06);
+  EXPECT_EQ(std::get<AnnulusShape>(annulus.sheet().cloth.shape).cells_around, 30);
   const std::string turned = "shape = \"annulus\"\ninner_radius = 2\nouter_radius = 1\ncells = [6, 30]";
   EXPECT_THROW((void)parse_case(sample_with(sheet, turned), "c.toml"), CaseError);
 }
@@ -365,7 +365,7 @@ TEST_F(CaseFile, FindsItsMeshBesideItself) {
   write("case.toml", sample_with("shape = \"rectangle\"\nsize = [\"20 cm\", \"20 cm\"]\ncells = [10, 10]",
                                  "shape = \"mesh\"\nfile = \"sheet.obj\"\nunits = \"mm\""));
   const Case c = read_case(folder_ / "case.toml");
-  const auto& mesh = std::get<MeshShape>(c.cloth.shape);
+  const auto& mesh = std::get<MeshShape>(c.sheet().cloth.shape);
   EXPECT_TRUE(std::filesystem::equivalent(mesh.file, folder_ / "sheet.obj"));
   EXPECT_TRUE(mesh.file.is_absolute());
   expect_close(mesh.unit, 1e-3);

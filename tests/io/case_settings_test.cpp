@@ -24,10 +24,10 @@ std::string complaint(const std::string& set) {
 TEST(Settings, ReplaceWhatTheFileSays) {
   const Case c = with_sets({"cloth.cells=[12, 14]", "material.thickness=0.6 mm", "dynamics.duration=\"50 ms\"",
                             "dynamics.rtol=1e-5", "dynamics.integrator=ida", "title=A sheet, \"renamed\""});
-  const auto& sheet = std::get<RectangleShape>(c.cloth.shape);
+  const auto& sheet = std::get<RectangleShape>(c.sheet().cloth.shape);
   EXPECT_EQ(sheet.cells_warp, 12);
   EXPECT_EQ(sheet.cells_weft, 14);
-  EXPECT_DOUBLE_EQ(c.fabric.thickness, 0.0006);
+  EXPECT_DOUBLE_EQ(c.sheet().fabric.thickness, 0.0006);
   EXPECT_DOUBLE_EQ(c.dynamics.duration, 0.05);
   EXPECT_EQ(c.dynamics.rtol, 1e-5);
   EXPECT_EQ(c.dynamics.integrator, IntegratorKind::ida);
@@ -37,10 +37,10 @@ TEST(Settings, ReplaceWhatTheFileSays) {
 TEST(Settings, AddTablesAndKeysThatTheFileLacks) {
   const Case c = with_sets({"material.damping.membrane=2 ms", "arc-length.tolerance=1e-5", "contact.restitution=0.5",
                             "material.bending.rigidity=0.589 gf*cm^2/cm"});
-  EXPECT_DOUBLE_EQ(c.fabric.damping.membrane, 0.002);
-  EXPECT_DOUBLE_EQ(c.fabric.damping.bending, 3e-4);
+  EXPECT_DOUBLE_EQ(c.sheet().fabric.damping.membrane, 0.002);
+  EXPECT_DOUBLE_EQ(c.sheet().fabric.damping.bending, 3e-4);
   EXPECT_EQ(c.contact.restitution, 0.5);
-  EXPECT_NEAR(c.fabric.warp_bending, 0.589 * 9.80665e-5 / (1 - 0.3 * 0.3), 1e-18);
+  EXPECT_NEAR(c.sheet().fabric.warp_bending, 0.589 * 9.80665e-5 / (1 - 0.3 * 0.3), 1e-18);
 }
 
 TEST(Settings, ReachIntoArraysByIndex) {
@@ -52,7 +52,7 @@ TEST(Settings, ReachIntoArraysByIndex) {
 
 TEST(Settings, ReachTheOnlyPieceOfCloth) {
   const Case c = with_sets({"cloth.cells=[3, 4]"}, sample_with("[cloth]", "[[cloth]]\nname = \"only\""));
-  EXPECT_EQ(std::get<RectangleShape>(c.cloth.shape).cells_weft, 4);
+  EXPECT_EQ(std::get<RectangleShape>(c.sheet().cloth.shape).cells_weft, 4);
 }
 
 TEST(Settings, LaterOnesWin) { EXPECT_EQ(with_sets({"dynamics.rtol=1e-5", "dynamics.rtol=1e-6"}).dynamics.rtol, 1e-6); }

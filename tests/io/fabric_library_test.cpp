@@ -30,7 +30,7 @@ class FabricLibrary : public testing::Test {
     return parse_case(with_material(material + "\n"), folder_ / "CASE.toml", sets);
   }
   [[nodiscard]] Fabric fabric(const std::string& material, const std::vector<std::string>& sets = {}) const {
-    return read(material, sets).fabric;
+    return read(material, sets).sheet().fabric;
   }
 
   struct Complaint {
@@ -75,7 +75,7 @@ TEST_F(FabricLibrary, HasTheFabricsOfThePapers) {
     EXPECT_NEAR(f.warp_membrane * f.thickness * f.thickness / 12, row.strip * gf * 1e-2, 2e-3 * row.strip * gf * 1e-2)
         << row.name;
   }
-  EXPECT_EQ(read("fabric = \"cotton-twill\"").fabric_title, "Cotton twill, linear bending");
+  EXPECT_EQ(read("fabric = \"cotton-twill\"").sheet().fabric_title, "Cotton twill, linear bending");
 }
 
 TEST_F(FabricLibrary, HasThePolynomialOfTheTwill) {
@@ -170,7 +170,7 @@ TEST_F(FabricLibrary, LooksBesideTheCaseFirst) {
   EXPECT_DOUBLE_EQ(fabric("fabric = \"cotton-twill\"").thickness, 5e-4);
   write("mine.toml", orthotropic);
   EXPECT_DOUBLE_EQ(fabric("fabric = \"mine.toml\"").thickness, 5e-4);
-  EXPECT_EQ(read("fabric = \"mine.toml\"").fabric_title, "mine.toml");
+  EXPECT_EQ(read("fabric = \"mine.toml\"").sheet().fabric_title, "mine.toml");
   EXPECT_DOUBLE_EQ(fabric("fabric = \"./fabrics/../mine.toml\"").thickness, 5e-4);
 }
 
@@ -229,7 +229,7 @@ TEST_F(FabricLibrary, LeavesATextThatStandsOnItsOwn) {
   const Case again = parse_case(once.text, "elsewhere/CASE.toml");
   EXPECT_EQ(again.text, once.text);
   EXPECT_EQ(describe(again), describe(once));
-  EXPECT_EQ(again.fabric_title, "weave");
+  EXPECT_EQ(again.sheet().fabric_title, "weave");
   EXPECT_EQ(once.text.find("fabric ="), std::string::npos);
 }
 

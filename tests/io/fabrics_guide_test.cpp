@@ -22,7 +22,7 @@ std::map<std::string, Case> examples() {
   for (auto at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
     at += fence.size();
     Case read = parse_case(with_material(text.substr(at, text.find("```", at) - at)), "fabrics.md");
-    const std::string title = read.fabric_title;
+    const std::string title = read.sheet().fabric_title;
     all.emplace(title, std::move(read));
   }
   return all;
@@ -32,13 +32,13 @@ void expect_close(double value, double expected) { EXPECT_NEAR(value, expected, 
 
 TEST(FabricsGuide, HasExamplesThatAreCases) {
   EXPECT_EQ(examples().size(), 4U);
-  EXPECT_EQ(examples().at("Cotton twill, linear bending").fabric.poisson, 0);
+  EXPECT_EQ(examples().at("Cotton twill, linear bending").sheet().fabric.poisson, 0);
 }
 
 // Expected: the reported numbers with their units turned to SI by hand; 1 gf = 9.80665e-3 N, 1° = π/180.
 
 TEST(FabricsGuide, TurnsAKesReportIntoResultants) {
-  const Fabric f = examples().at("Suiting, KES-FB").fabric;
+  const Fabric f = examples().at("Suiting, KES-FB").sheet().fabric;
   expect_close(f.area_density, 0.186);
   expect_close(f.warp_membrane, 0.62 * 500 * 0.980665 / 0.045);
   expect_close(f.weft_membrane, 0.60 * 500 * 0.980665 / 0.07);
@@ -48,7 +48,7 @@ TEST(FabricsGuide, TurnsAKesReportIntoResultants) {
 }
 
 TEST(FabricsGuide, TurnsAFastReportIntoResultants) {
-  const Fabric f = examples().at("Light wool, FAST").fabric;
+  const Fabric f = examples().at("Light wool, FAST").sheet().fabric;
   expect_close(f.area_density, 0.17);
   expect_close(f.warp_membrane, 98.0665 / 0.045);
   expect_close(f.weft_membrane, 98.0665 / 0.059);
@@ -59,7 +59,7 @@ TEST(FabricsGuide, TurnsAFastReportIntoResultants) {
 }
 
 TEST(FabricsGuide, TurnsACantileverTestIntoResultants) {
-  const Fabric f = examples().at("Shirting, cantilever test").fabric;
+  const Fabric f = examples().at("Shirting, cantilever test").sheet().fabric;
   expect_close(f.area_density, 0.145);
   expect_close(f.warp_bending, 0.145 * 9.80665 * 1.9 * 1.9 * 1.9 * 1e-6);
   expect_close(f.weft_bending, 0.145 * 9.80665 * 1.6 * 1.6 * 1.6 * 1e-6);

@@ -19,14 +19,14 @@ constexpr double stretch = 9e-5 / stiffening;  // w L/(E h)
 Benchmark heavy_strip(int cells) {
   Case c;
   c.analysis = Analysis::relaxation;
-  c.cloth.shape = RectangleShape{.length = length, .width = width, .cells_warp = cells, .cells_weft = 1};
-  c.cloth.waviness_given = true;  // none: one equilibrium, and no saddle
-  c.fabric = isotropic_fabric(60446 * 98.0665, 0, 0.0489e-2, twill::weight / 9.80665);
-  c.fabric.warp_membrane *= stiffening;
-  c.fabric.weft_membrane *= stiffening;
-  c.fabric.shear_membrane *= stiffening;
-  c.fabric.measured_bending = {.warp = twill::law(), .weft = twill::law()};
-  c.fabric.warp_bending = c.fabric.weft_bending = twill::alpha[0];
+  c.sheet().cloth.shape = RectangleShape{.length = length, .width = width, .cells_warp = cells, .cells_weft = 1};
+  c.sheet().cloth.waviness_given = true;  // none: one equilibrium, and no saddle
+  c.sheet().fabric = isotropic_fabric(60446 * 98.0665, 0, 0.0489e-2, twill::weight / 9.80665);
+  c.sheet().fabric.warp_membrane *= stiffening;
+  c.sheet().fabric.weft_membrane *= stiffening;
+  c.sheet().fabric.shear_membrane *= stiffening;
+  c.sheet().fabric.measured_bending = {.warp = twill::law(), .weft = twill::law()};
+  c.sheet().fabric.warp_bending = c.sheet().fabric.weft_bending = twill::alpha[0];
   c.fixes.push_back({.name = "clamp", .nodes = NamedSet{"left"}, .source = {}});
   c.loads.push_back({.load = GravityLoad{}, .source = {}});
   CaseModel model = build_model(c);

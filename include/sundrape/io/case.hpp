@@ -308,11 +308,7 @@ struct Case {
   Model model = Model::particle;
   ShellCase shell;
   Analysis analysis = Analysis::dynamics;
-  ClothCase cloth;                        // of the first piece
-  std::string fabric_title;               // of the first piece; empty where the case does not say
-  Fabric fabric;                          // of the first piece
-  std::string piece = "cloth";            // name of the first piece
-  std::vector<PieceCase> further;         // pieces after the first
+  std::vector<PieceCase> pieces = std::vector<PieceCase>(1);  // at least one
   std::optional<double> breaking_strain;  // of an edge: beyond it the cloth counts as torn
   std::vector<FixCase> fixes;
   std::vector<MotionCase> motions;
@@ -327,11 +323,9 @@ struct Case {
   std::string text;            // the TOML as run, --set included
   std::string inputs;          // fingerprints of the other files that it reads: mesh, start
 
-  [[nodiscard]] std::size_t pieces() const { return 1 + further.size(); }
-  /// A piece, the first included.
-  [[nodiscard]] PieceCase piece_at(std::size_t k) const {
-    return k == 0 ? PieceCase{piece, cloth, fabric_title, fabric} : further.at(k - 1);
-  }
+  /// The first piece: the sheet, of most cases.
+  [[nodiscard]] const PieceCase& sheet() const { return pieces.front(); }
+  [[nodiscard]] PieceCase& sheet() { return pieces.front(); }
 
   /// Whether supports or obstacles move.
   [[nodiscard]] bool moves() const {
