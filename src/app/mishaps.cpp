@@ -14,7 +14,13 @@ std::string place_of(ConstVectorRef x) { return fmt::format("({:.4g}, {:.4g}, {:
 Mishaps::Mishaps(const Case& c, const CaseModel& model) : case_(c), model_(model) {
   if (!c.moves() || model.contact == nullptr) return;
   const State start{0, model.initial, model.initial};
-  for (int n = 0; n < model.mesh.nodes(); ++n) gaps_.push_back(model.contact->closest(start, point(start.q, n)).gap);
+  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+    const auto& piece = model.pieces[k];
+    for (int n = piece.first_node; n < piece.first_node + piece.nodes; ++n) {
+      const double gap = model.contact->closest(start, point(start.q, n)).gap;
+      lowest_gaps_.push_back(std::min(gap, 0.0) - c.pieces[k].fabric.thickness);
+    }
+  }
 }
 
 std::optional<std::string> Mishaps::at(const State& all) const {
@@ -33,12 +39,11 @@ std::optional<std::string> Mishaps::tear(const State& all) const {
 }
 
 std::optional<std::string> Mishaps::collision(const State& all) const {
-  const double deepest = case_.sheet().fabric.thickness;
-  for (std::size_t n = 0; n < gaps_.size(); ++n) {
+  for (std::size_t n = 0; n < lowest_gaps_.size(); ++n) {
     const int node = static_cast<int>(n);
     if (!model_.system->unknowns().is_held(node)) continue;
     const auto surface = model_.contact->closest(all, point(all.q, node));
-    if (surface.gap > std::min(gaps_[n], 0.0) - deepest) continue;
+    if (surface.gap > lowest_gaps_[n]) continue;
     return fmt::format(
         "obstacle '{}' and held cloth run into each other: node {} at {} is {:.3g} mm inside; change the path of "
         "one of them, or release the cloth before",

@@ -31,13 +31,16 @@ void require_damping_of_massless_directors(const CaseSection& top, const Case& r
   if (resolved.model != Model::shell || resolved.analysis != Analysis::dynamics ||
       resolved.shell.director != ShellDirector::massless)
     return;
-  const auto& damping = resolved.sheet().fabric.damping;
-  for (const auto& [key, value] : {std::pair{"membrane", damping.membrane}, std::pair{"bending", damping.bending}})
-    if (value == 0)
-      top.table("shell").fail(
-          "director", fmt::format("\"massless\" needs material.damping.{} > 0, which makes the rates of directors "
-                                  "follow from the forces; take some, or director = \"inertia\"",
-                                  key));
+  for (const auto& piece : resolved.pieces) {
+    const auto& damping = piece.fabric.damping;
+    const auto of_piece = resolved.pieces.size() == 1 ? "" : fmt::format(" for cloth '{}'", piece.name);
+    for (const auto& [key, value] : {std::pair{"membrane", damping.membrane}, std::pair{"bending", damping.bending}})
+      if (value == 0)
+        top.table("shell").fail(
+            "director", fmt::format("\"massless\" needs material.damping.{} > 0{}, which makes the rates of directors "
+                                    "follow from the forces; take some, or director = \"inertia\"",
+                                    key, of_piece));
+  }
 }
 
 void require_integrator_of_director(const CaseSection& top, const Case& resolved) {

@@ -236,6 +236,22 @@ TEST(MasslessDirectors, NeedDamping) {
   }
 }
 
+TEST(MasslessDirectors, NeedDampingInEveryPiece) {
+  const auto text = sample_with("[cloth]", shell("director = \"massless\"")) +
+                    "\n[[cloth]]\nname = \"lining\"\nshape = \"rectangle\"\nsize = [0.1, 0.1]\ncells = [2, 2]\n"
+                    "material = { thickness = 1e-3, weight = 2, youngs_modulus = 1e6, poisson = 0.3, "
+                    "damping = { membrane = 1e-3, bending = 0 } }\n";
+  const auto two = std::string(text).replace(text.find("[cloth]"), 7, "[[cloth]]\nname = \"top\"");
+  try {
+    (void)parse_case(two, "CASE.toml", {"model=shell", "dynamics.integrator=ida"});
+    FAIL() << "the lining has no damping of bending";
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.key(), "shell.director");
+    EXPECT_NE(error.message().find("material.damping.bending > 0 for cloth 'lining'"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(BadCaseOfTwoSlips, ReportsTheFirstInTheFile) {
   try {
     (void)parse_case(sample_with("cells", "zells") + "[zzz]\n", "CASE.toml");

@@ -21,7 +21,7 @@ class Mishaps {
 
   const Case& case_;
   const CaseModel& model_;
-  std::vector<double> gaps_;  // of the nodes at the start [m], where supports or obstacles move
+  std::vector<double> lowest_gaps_;  // of each node to obstacles [m]: a thickness into one; where something moves
 };
 
 }  // namespace sundrape
