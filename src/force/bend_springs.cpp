@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "sundrape/force/bend_law.hpp"
+#include "sundrape/force/fold_limit.hpp"
 #include "sundrape/force/hinge_angle.hpp"
 
 #include "batch.hpp"
@@ -220,9 +223,9 @@ BendSprings::Edges BendSprings::edges(std::size_t first, ConstVectorRef x) const
 double BendSprings::energy(const State& state) const {
   return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
     const auto x = edges(e, state.q);
-    const Batch turn = BasicHingeAngle<Batch>(x.a, x.b, x.c).angle - load(table_, rest_angle, e);
-    if (law_) return load(table_, stiffness, e) * bend_response(*law_, load(table_, length, e), turn).energy;
-    return Batch(0.5) * load(table_, stiffness, e) * turn * turn;
+    const Batch angle = BasicHingeAngle<Batch>(x.a, x.b, x.c).angle, turn = angle - load(table_, rest_angle, e);
+    const Batch bending = law_ ? bend_response(*law_, load(table_, length, e), turn).energy : Batch(0.5) * turn * turn;
+    return load(table_, stiffness, e) * (bending + fold_limit(angle).energy);
   });
 }
 
@@ -242,6 +245,7 @@ void BendSprings::add_force(const State& state, VectorRef f) const {
     const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
     Batch turn = hinge.angle - load(table_, rest_angle, e);
     if (law_) turn = bend_response(*law_, load(table_, length, e), turn).turn;
+    turn += fold_limit(hinge.angle).turn;
     if (relaxation_time_ > 0) turn += Batch(relaxation_time_) * edges(e, state.v).along(hinge);
     const Batch moment = load(table_, stiffness, e) * turn;
     const Batch3 fc = -moment * hinge.gc, held = load(table_, skew, e) * fc;
@@ -262,13 +266,15 @@ void BendSprings::add_tangent(const State& state, double dq, double dv, Assemble
     const BasicHingeAngle<Batch> hinge(x.a, x.b, x.c);
     const BasicHingeCurvature<Batch> curved(x.a, x.b, x.c);
     const Batch stiff = load(table_, stiffness, e), viscosity = Batch(relaxation_time_) * stiff;
-    Batch turn = hinge.angle - load(table_, rest_angle, e), tangent_stiffness = stiff;
+    Batch turn = hinge.angle - load(table_, rest_angle, e), slope(1.0);
     if (law_) {
       const auto bent = bend_response(*law_, load(table_, length, e), turn);
       turn = bent.turn;
-      tangent_stiffness *= bent.slope;
+      slope = bent.slope;
     }
-    Batch moment = stiff * turn;
+    const auto limit = fold_limit(hinge.angle);
+    const Batch tangent_stiffness = stiff * (slope + limit.slope);
+    Batch moment = stiff * (turn + limit.turn);
     Edges v{Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0)), Batch3::Constant(Batch(0.0))};
     if (relaxation_time_ > 0) {
       v = edges(e, state.v);
@@ -297,6 +303,22 @@ void BendSprings::add_tangent(const State& state, double dq, double dv, Assemble
 void BendSprings::declare_pattern(Pattern& pattern) const {
   pattern.begin_term(5);
   for (std::size_t e = 0; e < table_.size(); ++e) pattern.add_element(stencil(e).points);
+}
+
+std::optional<Passage> BendSprings::passage(const State& from, const State& to) const {
+  const auto angles = [&](std::size_t e, const State& state) -> Batch {
+    const auto x = edges(e, state.q);
+    return BasicHingeAngle<Batch>(x.a, x.b, x.c).angle;
+  };
+  for (std::size_t e = 0; e < table_.size(); e += lanes) {
+    const Batch turn = xsimd::abs(angles(e, to) - angles(e, from));
+    for (std::size_t lane = 0; lane < std::min(lanes, table_.size() - e); ++lane) {
+      if (!(turn.get(lane) > std::numbers::pi)) continue;
+      const int centre = table_.point_of(1, e + lane);
+      return Passage{"the thread through itself at node " + std::to_string(centre), point(from.q, centre)};
+    }
+  }
+  return std::nullopt;
 }
 
 double BendSprings::largest_angle(ConstVectorRef q) const {

@@ -78,7 +78,7 @@ TEST(BendLaw, ForceIsTheGradientOfTheEnergyAndTheTangentIsExactInsideTheFitAndPa
 
 TEST(BendLaw, SpringsStoreWhatTheLawIntegratesToOverTheirWidthAndLength) {
   for (const double length : {inside, past})
-    for (const double angle : {-2.0, -0.3, -0.01, 0.01, 0.3, 1.2, 3.0}) {
+    for (const double angle : {-2.0, -0.3, -0.01, 0.01, 0.3, 1.2, 2.6}) {
       const double stored = width * length * twill::energy(angle / length);
       EXPECT_NEAR(bend(length).energy(turned(angle)), stored, 1e-12 * stored) << angle;
       EXPECT_NEAR(clamp(length).energy(turned_edge(angle)), stored, 1e-12 * stored) << angle;

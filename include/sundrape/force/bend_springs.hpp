@@ -28,6 +28,9 @@ struct BendSpring {
 ///
 /// With a law M = f(K) of the thread's strips, K = (Δφ − Δφ₀)/s, a spring stores (B w s/f'(0)) ∫f dK instead
 /// (BendResponse); B is then the rigidity at K = 0, and the damping stays that of B.
+///
+/// Beyond 150° a barrier keeps the edges from closing upon each other (FoldLimit), and no step may turn a spring
+/// through π: it would fold the thread through itself, unseen by contact, which leaves neighbours alone.
 class BendSprings final : public ForceTerm {
  public:
   /// @param relaxation_time  β [s], ≥ 0
@@ -44,6 +47,8 @@ class BendSprings final : public ForceTerm {
   void add_force(const State& state, VectorRef f) const override;
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
   void declare_pattern(Pattern& pattern) const override;
+  [[nodiscard]] bool watches_passages() const override { return true; }
+  [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const override;
 
   /// Largest |Δφ| over all springs [rad]: near π the net folds more sharply than its mesh can follow.
   [[nodiscard]] double largest_angle(ConstVectorRef q) const;
