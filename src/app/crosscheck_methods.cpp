@@ -13,9 +13,9 @@ namespace {
 /// Air as thick as makes a pendulum of the sheet's length creep rather than swing, and time enough.
 std::vector<std::string> damped_motion(const Case& c, const CaseModel& model) {
   const double swing = std::sqrt(model.size / model.gravity);  // [s]
-  std::vector<std::string> sets{fmt::format("material.damping.mass={:.6g}", std::max(c.sheet().fabric.damping.mass, 1 / swing)),
-                                fmt::format("dynamics.duration={:.6g}", 400 * swing), "dynamics.until_rest=1e-9",
-                                "dynamics.rtol=1e-5"};
+  std::vector<std::string> sets{
+      fmt::format("material.damping.mass={:.6g}", std::max(c.sheet().fabric.damping.mass, 1 / swing)),
+      fmt::format("dynamics.duration={:.6g}", 400 * swing), "dynamics.until_rest=1e-9", "dynamics.rtol=1e-5"};
   if (c.dynamics.integrator == IntegratorKind::rk4) sets.emplace_back("dynamics.integrator=cvode");
   return sets;
 }

@@ -301,8 +301,9 @@ CaseModel build_model(const Case& c) {
   add_cloth_contact(c, model, sheet.terms);
 
   const auto earlier = c.sheet().cloth.start ? start_of(*c.sheet().cloth.start, model.mesh) : ShapeAtRest{placed, {}};
-  auto start = c.sheet().cloth.start ? wavy(model.mesh, earlier.positions, c.sheet().cloth.waviness_amplitude, c.sheet().cloth.waviness_seed)
-                             : cloth.initial;
+  auto start = c.sheet().cloth.start ? wavy(model.mesh, earlier.positions, c.sheet().cloth.waviness_amplitude,
+                                            c.sheet().cloth.waviness_seed)
+                                     : cloth.initial;
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (supports.position[i][static_cast<std::size_t>(k)]) start[i][k] = placed[i][k];

@@ -208,7 +208,8 @@ TEST(CaseReader, TakesWarpAndWeftApart) {
   const Fabric fabric = parse_case(with_material("thickness = 1e-3\ndensity_area = 0.2\nwarp_modulus = 2e6\n"
                                                  "weft_modulus = 1e6\nshear_modulus = 3e4\npoisson = [0.4]\n"),
                                    "c.toml")
-                            .sheet().fabric;
+                            .sheet()
+                            .fabric;
   expect_close(fabric.warp_membrane, 2000);
   expect_close(fabric.weft_membrane, 1000);
   expect_close(fabric.shear_membrane, 30);
@@ -225,7 +226,8 @@ TEST(CaseReader, TakesAMeasuredTwist) {
                                                "bending = { rigidity = \"0.5 gf*cm\", twist_rigidity = "
                                                "\"0.1 gf*cm\" }\npoisson"),
                                    "c.toml")
-                            .sheet().fabric;
+                            .sheet()
+                            .fabric;
   expect_close(fabric.warp_bending, 0.5e-2 * gf / 0.91);
   expect_close(fabric.bending_coupling, 0.3 * 0.5e-2 * gf / 0.91);
   expect_close(fabric.twist_bending, 0.1e-2 * gf);

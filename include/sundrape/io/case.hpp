@@ -309,7 +309,7 @@ struct Case {
   ShellCase shell;
   Analysis analysis = Analysis::dynamics;
   std::vector<PieceCase> pieces = std::vector<PieceCase>(1);  // at least one
-  std::optional<double> breaking_strain;  // of an edge: beyond it the cloth counts as torn
+  std::optional<double> breaking_strain;                      // of an edge: beyond it the cloth counts as torn
   std::vector<FixCase> fixes;
   std::vector<MotionCase> motions;
   std::vector<LoadCase> loads;
