@@ -1,6 +1,7 @@
-"""What the tests of the command line share: a case that runs in a blink, a scratch folder, and the executable itself.
+"""What the tests of the command line share: cases that run in a blink, a scratch folder, and the executable itself.
 
 The executable is named by the environment variable SUNDRAPE; ctest sets it."""
+import json
 import os
 import pathlib
 import subprocess
@@ -8,6 +9,7 @@ import tempfile
 import unittest
 
 EXECUTABLE = os.environ["SUNDRAPE"]
+CASES = pathlib.Path(__file__).resolve().parents[2] / "cases"
 
 MATERIAL = """
 [material]
@@ -17,6 +19,7 @@ youngs_modulus = "1 MPa"
 poisson = 0.3
 damping = { mass = "5 1/s", membrane = "1 ms", bending = "1 ms" }
 """
+UNDAMPED = MATERIAL.replace('mass = "5 1/s", ', "")  # by what is drag in disguise
 
 GRAVITY = """
 [[load]]
@@ -49,6 +52,21 @@ frames = 4
 probes = [ {{ name = "corner", near = ["4 cm", "3 cm", 0] }} ]
 """
 
+# Nothing holds this one: tests add the supports and obstacles that they are about.
+LOOSE_SHEET = f"""model = "particle"
+analysis = "dynamics"
+[cloth]
+shape = "rectangle"
+size = ["10 cm", "5 cm"]
+cells = [8, 4]
+{MATERIAL}
+{GRAVITY}
+[dynamics]
+duration = "1 s"
+[output]
+frames = 10
+"""
+
 
 def hanging(**settings):
     """A strip held by one end, let go at a slant; damped, so that its motion is smooth and forgets its start."""
@@ -74,6 +92,21 @@ rtol = {values["rtol"]}
 frames = {values["frames"]}
 {values["output"]}
 """
+
+
+def sheets(poses, cells=5, size=6):
+    """Square pieces of cloth, `size` in cm, one for each place, axis and angle of `poses`."""
+    return "".join(f"""[[cloth]]
+shape = "rectangle"
+size = ["{size} cm", "{size} cm"]
+cells = [{cells}, {cells}]
+place = {{ translate = {list(place)}, rotate = {{ axis = {list(axis)}, angle = {angle} }} }}
+""" for place, axis, angle in poses)
+
+
+def set_options(sets):
+    """Each `key=value` of `sets` after its own --set."""
+    return [word for each in sets for word in ("--set", each)]
 
 
 class CommandLineTest(unittest.TestCase):
@@ -104,6 +137,18 @@ class CommandLineTest(unittest.TestCase):
         result = self.sundrape(*arguments, **options)
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
+
+    def run_case(self, case, *sets, status=0):
+        """The result's file, and the summary; what the run wrote to stderr is then in `message`."""
+        done = self.sundrape("run", case, "-o", "out.h5", "--force", "--quiet", "--summary", "out.json", *set_options(sets))
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.message = done.stderr
+        return self.folder / "out.h5", json.loads((self.folder / "out.json").read_text())
+
+    def assert_no_energy_from_nothing(self, summary):
+        """Stored, kinetic and turned into heat is never more than was put in, to 1 % of what was turned over."""
+        energy = summary["final"]["energy_J"]
+        self.assertGreater(energy["method_dissipated"], -0.01 * (energy["dissipated"] + abs(energy["external_work"])))
 
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())

@@ -1,34 +1,15 @@
-"""Cloth that touches cloth, several pieces of it, and air, from the command line."""
-import json
+"""Cloth that touches cloth: stacks, folds and tangles."""
 import math
-import pathlib
 import unittest
 
 import h5py
 import numpy as np
-from command_line import GRAVITY, MATERIAL, CommandLineTest
+from command_line import CASES, GRAVITY, MATERIAL, UNDAMPED, CommandLineTest, sheets
 
-CASES = pathlib.Path(__file__).resolve().parents[2] / "cases"
 THICKNESS = 0.54229e-3  # of tablecloth-cotton [m]
-UNDAMPED = MATERIAL.replace('mass = "5 1/s", ', "")  # by what is drag in disguise
 
 
-class Layers(CommandLineTest):
-    def run_case(self, case, *sets, status=0):
-        """The result's file, and the summary."""
-        options = [word for each in sets for word in ("--set", each)]
-        done = self.sundrape("run", case, "-o", "out.h5", "--force", "--quiet", "--summary", "out.json", *options)
-        self.assertEqual(done.returncode, status, done.stderr)
-        self.message = done.stderr
-        return self.folder / "out.h5", json.loads((self.folder / "out.json").read_text())
-
-    def assert_no_energy_from_nothing(self, summary):
-        """Stored, kinetic and turned into heat is never more than was put in, to 1 % of what was turned over."""
-        energy = summary["final"]["energy_J"]
-        self.assertGreater(energy["method_dissipated"], -0.01 * (energy["dissipated"] + abs(energy["external_work"])))
-
-
-class Stacks(Layers):
+class Stacks(CommandLineTest):
     def test_every_layer_is_carried_by_the_one_below(self):
         out, summary = self.run_case(CASES / "stacked_sheets.toml")
         with h5py.File(out) as result:
@@ -104,7 +85,7 @@ frames = 20
         self.assertLess(abs(found - expected), 0.01 * expected)
 
 
-class Folds(Layers):
+class Folds(CommandLineTest):
     def test_a_full_fold_ends_in_layers_that_do_not_cross(self):
         out, summary = self.run_case(CASES / "full_fold.toml")
         with h5py.File(out) as result:
@@ -131,16 +112,7 @@ class Folds(Layers):
             self.assertEqual(result["frames/crossings"][:].sum(), 0)
 
 
-def sheets(poses, cells=5, size=6):
-    return "".join(f"""[[cloth]]
-shape = "rectangle"
-size = ["{size} cm", "{size} cm"]
-cells = [{cells}, {cells}]
-place = {{ translate = {list(place)}, rotate = {{ axis = {list(axis)}, angle = {angle} }} }}
-""" for place, axis, angle in poses)
-
-
-class Tangles(Layers):
+class Tangles(CommandLineTest):
     def test_sheets_dropped_in_a_heap_never_cross(self):
         random = np.random.default_rng(7)
         poses = [((*random.uniform(-0.01, 0.01, 2).round(4), 0.05 + 0.09 * k), random.normal(size=3).round(3), round(random.uniform(0, 3), 3))
@@ -211,123 +183,6 @@ frames = 20
             self.assertEqual(result.attrs["status"].decode(), "failed")
             self.assertEqual(result["frames/crossings"][:].sum(), 0)
             self.assertGreater(len(result["frames/time"]), 1)
-
-
-class Pieces(Layers):
-    def test_sets_and_fabrics_of_pieces(self):
-        case = self.write("two.toml", f"""model = "shell"
-analysis = "relaxation"
-[[cloth]]
-name = "one"
-shape = "rectangle"
-size = ["8 cm", "2 cm"]
-cells = [8, 2]
-[[cloth]]
-name = "two"
-shape = "rectangle"
-size = ["8 cm", "2 cm"]
-cells = [8, 2]
-place = {{ translate = [0, "5 cm", 0] }}
-material = {{ fabric = "cotton-twill" }}
-{MATERIAL}
-{GRAVITY}
-[[fix]]
-name = "hands"
-nodes = "left"
-[[fix]]
-name = "corner"
-nodes = "two.top_right"
-components = ["y"]
-""")
-        out, summary = self.run_case(case)
-        self.assertEqual(summary["final"]["negative_pivots"], 0)
-        with h5py.File(out) as result:
-            hands = result["frames/reaction/hands"][-1, 2]
-            x = result["frames/position"][-1]
-            tips = [x[result[f"mesh/sets/{name}.right"][:], 2].mean() for name in ("one", "two")]
-        self.assertLess(abs(-hands - summary["weight_N"]), 1e-3 * summary["weight_N"])
-        # each alone hangs as it does beside the other
-        alone = """model = "shell"
-analysis = "relaxation"
-[cloth]
-shape = "rectangle"
-size = ["8 cm", "2 cm"]
-cells = [8, 2]
-{}
-{}
-[[fix]]
-nodes = "left"
-"""
-        for tip, material in zip(tips, (MATERIAL, '[material]\nfabric = "cotton-twill"\n')):
-            out, _ = self.run_case(self.write("alone.toml", alone.format(material, GRAVITY)))
-            with h5py.File(out) as result:
-                right = result["frames/position"][-1][result["mesh/sets/right"][:], 2].mean()
-            self.assertLess(abs(tip - right), 2e-5)
-
-    def test_a_piece_must_not_be_called_like_a_set(self):
-        case = f"""model = "particle"
-analysis = "relaxation"
-{sheets([((0, 0, 0), (0, 0, 1), 0), ((0, 0, 0.1), (0, 0, 1), 0)]).replace('shape', 'name = "left"' + chr(10) + 'shape', 1)}
-{MATERIAL}
-{GRAVITY}
-"""
-        refused = self.sundrape("check", self.write("left.toml", case))
-        self.assertEqual(refused.returncode, 2)
-        self.assertIn("a piece cannot be called 'left'", refused.stderr)
-
-
-    def test_errors_name_the_piece(self):
-        case = f"""model = "particle"
-analysis = "relaxation"
-{sheets([((0, 0, 0), (0, 0, 1), 0), ((0, 0, 0.1), (0, 0, 1), 0)])}material = {{ fabric = "siilk" }}
-{MATERIAL}
-{GRAVITY}
-"""
-        refused = self.sundrape("check", self.write("silk.toml", case))
-        self.assertEqual(refused.returncode, 2)
-        self.assertRegex(refused.stderr, r"silk.toml:\d+: cloth.1.material.fabric: there is no fabric 'siilk'")
-
-    def test_crosschecks_are_for_single_sheets(self):
-        refused = self.sundrape("crosscheck", CASES / "stacked_sheets.toml")
-        self.assertEqual(refused.returncode, 2)
-        self.assertIn("shapes of one sheet", refused.stderr)
-
-
-class Air(Layers):
-    def test_a_flat_sheet_falls_at_its_terminal_velocity(self):
-        drag, density = 1.1, 1.2
-        out, summary = self.run_case(self.write("fall.toml", f"""model = "particle"
-analysis = "dynamics"
-[cloth]
-shape = "rectangle"
-size = ["10 cm", "10 cm"]
-cells = [10, 10]
-{UNDAMPED}
-{GRAVITY}
-[[load]]
-kind = "wind"
-density = {density}
-drag = {drag}
-[dynamics]
-duration = "2 s"
-[output]
-frames = 10
-"""))
-        area_weight = summary["weight_N"] / 0.01
-        with h5py.File(out) as result:
-            speed = -result["frames/velocity"][-1, :, 2]
-        self.assertLess(abs(speed - math.sqrt(2 * area_weight / (density * drag))).max(), 2e-3 * speed.mean())
-        # what gravity gave and is not motion the air has got
-        energy = summary["final"]["energy_J"]
-        self.assertLess(abs(energy["method_dissipated"]), 1e-3 * energy["dissipated"])
-
-    def test_a_curtain_in_gusts_takes_its_energy_from_the_wind(self):
-        out, summary = self.run_case(CASES / "curtain.toml", "cloth.0.cells=[8,16]", "cloth.1.cells=[8,16]")
-        with h5py.File(out) as result:
-            self.assertEqual(result["frames/crossings"][:].sum(), 0)
-        energy = summary["final"]["energy_J"]
-        self.assertGreater(energy["external_work"], 0)
-        self.assert_no_energy_from_nothing(summary)
 
 
 if __name__ == "__main__":

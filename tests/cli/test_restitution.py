@@ -1,13 +1,11 @@
 """Nodes dropped on a floor bounce as the coefficient of restitution says (cases/dropped_node.toml)."""
-import pathlib
 import unittest
 
 import h5py
 import numpy as np
 
-from command_line import CommandLineTest
+from command_line import CASES, CommandLineTest
 
-CASE = pathlib.Path(__file__).parents[2] / "cases" / "dropped_node.toml"
 GRAVITY = 9.80665
 REACH = 0.1 * 0.5e-3  # contact begins a tenth of the thickness above the floor, which is where impacts happen [m]
 DROP = 0.1 - REACH  # [m]
@@ -16,9 +14,8 @@ DROP = 0.1 - REACH  # [m]
 class Restitution(CommandLineTest):
     def bounce(self, *settings):
         """Times, heights over the place of impact and vertical velocities of the probed node."""
-        arguments = [argument for setting in settings for argument in ("--set", setting)]
-        self.done("run", CASE, "--quiet", "-o", "out.h5", "--force", *arguments)
-        with h5py.File(self.folder / "out.h5") as result:
+        out, _ = self.run_case(CASES / "dropped_node.toml", *settings)
+        with h5py.File(out) as result:
             probe = result["probes/node"]
             return probe["time"][...], probe["position"][:, 2] - REACH, probe["velocity"][:, 2]
 
