@@ -43,6 +43,14 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
 Vector as_vector(const std::vector<double>& values) {
   return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
+/// Of obstacles and of cloth on cloth together.
+ContactReport contact_report(const CaseModel& model, const State& all) {
+  ContactReport report;
+  if (model.contact) report.include(model.contact->report(all));
+  if (model.cloth_contact) report.include(model.cloth_contact->report(all));
+  return report;
+}
+
 std::vector<double> as_list(ConstVectorRef v) { return {v.data(), v.data() + v.size()}; }
 
 Recorder::Restart read_restart(const ResultReader& earlier, const std::filesystem::path& file, Eigen::Index size) {
@@ -181,17 +189,15 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
     if (model_.cloth_contact) model_.cloth_contact->add_force(all, contact_force);
     f.contact_force = model_.of_nodes(contact_force);
   }
+  f.penetration = contact_report(model_, all).deepest_penetration;
   if (model_.contact) {
-    const auto report = model_.contact->report(all);
-    f.penetration = report.deepest_penetration;
+    const auto forces = model_.contact->total_forces(all);
     for (std::size_t k = 0; k < model_.obstacles.size(); ++k) {
       const auto& start = model_.obstacles[k];
       const auto carried = model_.contact->carried(k, all);
-      f.obstacles.push_back({carried(start.position), carried.rotation * start.rotation, report.total_forces[k]});
+      f.obstacles.push_back({carried(start.position), carried.rotation * start.rotation, forces[k]});
     }
   }
-  if (model_.cloth_contact)
-    f.penetration = std::max(f.penetration, model_.cloth_contact->report(all).deepest_penetration);
   if (!model_.gauges.empty()) {
     const auto readings = read(model_.gauges, all.q);
     extremes_.largest_membrane_strain =
@@ -220,15 +226,7 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
 
 ContactReport Recorder::step(const State& all) {
   if (!model_.probes.empty()) writer_.append_probes(all.time, all.q, all.v);
-  ContactReport report;
-  if (model_.contact) report = model_.contact->report(all);
-  if (model_.cloth_contact) {
-    const auto own = model_.cloth_contact->report(all);
-    report.contacts += own.contacts;
-    report.sliding += own.sliding;
-    report.deepest_penetration = std::max(report.deepest_penetration, own.deepest_penetration);
-    report.fastest_creep = std::max(report.fastest_creep, own.fastest_creep);
-  }
+  const auto report = contact_report(model_, all);
   if (case_.analysis != Analysis::relaxation)
     extremes_.deepest_penetration = std::max(extremes_.deepest_penetration, report.deepest_penetration);
   return report;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <stdexcept>
+
+#include <Eigen/Geometry>
 
 #include "cloth_friction.hpp"
 #include "edge_crossing.hpp"
@@ -23,6 +25,17 @@ constexpr double coupled_beyond = 0.5, coupled_beyond_edges = 0.25;
 // lets them come so near.
 constexpr double least_clearance = 0.02;
 
+/// How far nodes are from where they were, less what all have in common: it does not bring them nearer to each other.
+/// Two of them have come nearer by twice that, at most.
+double largest_own_move(const ConstVectorRef& from, const ConstVectorRef& to, int nodes) {
+  Eigen::AlignedBox3d moves;
+  for (int i = 0; i < nodes; ++i) moves.extend(Vector3(point(to, i) - point(from, i)));
+  const Vector3 common = moves.center();
+  double most = 0;
+  for (int i = 0; i < nodes; ++i) most = std::max(most, (point(to, i) - point(from, i) - common).squaredNorm());
+  return std::sqrt(most);
+}
+
 Vector3 mean_place(const std::array<Vector3, 4>& x, const std::array<double, 4>& weights) {
   Vector3 place = Vector3::Zero();  // the middle of the way between the nearest points
   for (std::size_t k = 0; k < 4; ++k) place += 0.5 * std::abs(weights[k]) * x[k];
@@ -39,6 +52,17 @@ std::string passage_text(const ClothPair& pair) {
 
 }  // namespace
 
+/// A pair that presses.
+struct ClothContact::Contact {
+  const ClothPair& pair;
+  std::int32_t element;
+  std::array<Vector3, 4> x;
+  Separation separation;
+  Vector3 normal;         // unit vector along the way
+  EdgeCrossing crossing;  // 1 but for edges
+  double push;            // A p, less of edges that are nearly parallel [N]
+};
+
 ClothContact::ClothContact(ClothPairs pairs, const ContactLaw& law, ClothContactOptions options)
     : pairs_(std::move(pairs)),
       law_(law),
@@ -53,10 +77,7 @@ ClothContact::ClothContact(ClothPairs pairs, const ContactLaw& law, ClothContact
 
 double ClothContact::moved_since_search(const ConstVectorRef& q) const {
   if (searched_at_.size() == 0) return std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (int i = 0; i < surface().nodes(); ++i)
-    most = std::max(most, (point(q, i) - point(searched_at_, i)).squaredNorm());
-  return std::sqrt(most);
+  return largest_own_move(searched_at_, q, surface().nodes());
 }
 
 void ClothContact::search(const ConstVectorRef& q, double margin) const {
@@ -141,9 +162,9 @@ void ClothContact::visit(const State& state, Visit&& visit) const {
     const auto x = pair.at(state.q);
     const auto s = separation(pair.shapes, x);
     if (!(s.distance < near) || s.distance == 0) continue;
-    const double crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(x, pair.parallel2).factor : 1;
+    const auto crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(x, pair.parallel2) : EdgeCrossing();
     const double pressure = law_.pressure(s.distance, rest_distance(pair));
-    visit(Contact{pair, element, x, s, s.way / s.distance, crossing * pair.area * pressure});
+    visit(Contact{pair, element, x, s, s.way / s.distance, crossing, crossing.factor * pair.area * pressure});
   }
 }
 
@@ -158,8 +179,7 @@ double ClothContact::energy(const State& state) const {
   double sum = 0;
   visit(state, [&](const Contact& contact) {
     const auto& pair = contact.pair;
-    const double crossing = pair.shapes == Shapes::edge_edge ? EdgeCrossing(contact.x, pair.parallel2).factor : 1;
-    sum += crossing * pair.area * law_.energy(contact.separation.distance, rest_distance(pair));
+    sum += contact.crossing.factor * pair.area * law_.energy(contact.separation.distance, rest_distance(pair));
   });
   return sum;
 }
@@ -184,12 +204,10 @@ void ClothContact::add_force(const State& state, VectorRef force) const {
     }
     for (std::size_t k = 0; k < points_of(pair.shapes); ++k)
       point(force, pair.points[k]) += contact.separation.weights[k] * push;
-    if (pair.shapes != Shapes::edge_edge) return;
-    const EdgeCrossing crossing(contact.x, pair.parallel2);
-    if (crossing.is_constant()) return;
+    if (contact.crossing.is_constant()) return;
     for (std::size_t k = 0; k < 4; ++k)
       point(force, pair.points[k]) -=
-          pair.area * law_.energy(contact.separation.distance, rest_distance(pair)) * crossing.gradient[k];
+          pair.area * law_.energy(contact.separation.distance, rest_distance(pair)) * contact.crossing.gradient[k];
   });
 }
 
@@ -197,19 +215,17 @@ void ClothContact::add_tangent(const State& state, double dq, double dv, Assembl
   const bool whole = tangent.keeps_unsymmetric();
   visit(state, [&](const Contact& contact) {
     if (contact.element < 0) throw std::logic_error("cloth contact has not adapted to the state");
-    const auto& [pair, element, x, s, n, push] = contact;
+    const auto& [pair, element, x, s, n, crossing, push] = contact;
     const double d = s.distance, rest = rest_distance(pair);
     const auto& w = s.weights;
     const std::size_t points = points_of(pair.shapes);
-    const bool edges = pair.shapes == Shapes::edge_edge;
-    const EdgeCrossing crossing = edges ? EdgeCrossing(x, pair.parallel2) : EdgeCrossing{};
     const SeparationHessian turning(s, x);
     const double bend = push / s.distance;                                          // of the distance's own curvature
     const double along = bend + crossing.factor * pair.area * law_.slope(d, rest);  // of n nᵀ
     const Matrix3 nn = n * n.transpose();
     const auto conservative = [&](std::size_t k, std::size_t l) -> Matrix3 {
       Matrix3 block = bend * turning.block(k, l) - along * w[k] * w[l] * nn;
-      if (edges && !crossing.is_constant()) {
+      if (!crossing.is_constant()) {
         const double pressure = pair.area * law_.pressure(d, rest);
         block +=
             pressure * (w[k] * n * crossing.gradient[l].transpose() + w[l] * crossing.gradient[k] * n.transpose()) -
@@ -219,11 +235,11 @@ void ClothContact::add_tangent(const State& state, double dq, double dv, Assembl
     };
     std::optional<ClothFriction> friction;
     if (options_.friction > 0) {
-      friction.emplace(s, x, n, velocities(pair, state), options_.friction, push, options_.friction_law,
-                       options_.whole_friction_tangent);
+      const auto v = pair.at(state.v);
+      friction.emplace(s, n, v, options_.friction, push, options_.friction_law, options_.friction_matrix);
       if (whole)
-        friction->know_push_gradient(crossing.factor * pair.area * law_.slope(d, rest),
-                                     pair.area * law_.pressure(d, rest), crossing.gradient);
+        friction->prepare_by_place(x, v, turning, crossing.factor * pair.area * law_.slope(d, rest),
+                                   pair.area * law_.pressure(d, rest), crossing.gradient);
     }
     const auto e = static_cast<std::size_t>(element);
     for (std::size_t k = 0; k < points; ++k)
@@ -250,15 +266,12 @@ void ClothContact::add_tangent(const State& state, double dq, double dv, Assembl
 
 std::optional<Passage> ClothContact::passage(const State& from, const State& to) const {
   // pairs that come near on the way are candidates at its start and at its end, or must be found now
-  const double before = moved_since_search(from.q), after = moved_since_search(to.q);
-  if (!(std::max(before, after) <= 0.5 * margin_)) {
-    double most = 0;
-    for (int i = 0; i < surface().nodes(); ++i)
-      most = std::max(most, (point(from.q, i) - point(to.q, i)).squaredNorm());
-    search(from.q, std::max(margin_, 2 * std::sqrt(most)));
+  double moved = std::max(moved_since_search(from.q), moved_since_search(to.q));
+  if (!(moved <= 0.5 * margin_)) {
+    moved = largest_own_move(from.q, to.q, surface().nodes());
+    search(from.q, std::max(margin_, 2 * moved));
   }
-  const double clearance = least_clearance * pairs_.smallest_thickness();
-  const double nearer = 2 * std::max(moved_since_search(from.q), moved_since_search(to.q));
+  const double clearance = least_clearance * pairs_.smallest_thickness(), nearer = 2 * moved;
   for (const auto& [pair, distance, element] : candidates_) {
     if (distance - nearer > clearance) continue;
     if (pair.shapes != Shapes::point_triangle && pair.shapes != Shapes::edge_edge) continue;
@@ -268,20 +281,15 @@ std::optional<Passage> ClothContact::passage(const State& from, const State& to)
   return std::nullopt;
 }
 
-ClothContactReport ClothContact::report(const State& state) const {
-  ClothContactReport report;
+ContactReport ClothContact::report(const State& state) const {
+  ContactReport report;
   visit(state, [&](const Contact& contact) {
     if (contact.pair.area < 0 || contact.pair.shapes == Shapes::point_point) return;  // corrections
     ++report.contacts;
     if (contact.pair.shapes == Shapes::point_triangle)
       report.deepest_penetration =
           std::max(report.deepest_penetration, contact.pair.thickness - contact.separation.distance);
-    if (options_.friction == 0) return;
-    const double speed = sliding(contact, state).norm();
-    if (speed < options_.friction_law.speed())
-      report.fastest_creep = std::max(report.fastest_creep, speed);
-    else
-      ++report.sliding;
+    if (options_.friction > 0) report.count_friction(sliding(contact, state).norm(), options_.friction_law.speed());
   });
   return report;
 }

@@ -2,9 +2,9 @@
 
 namespace sundrape {
 
-ClothFriction::ClothFriction(const Separation& separation, const std::array<Vector3, 4>& x, const Vector3& normal,
+ClothFriction::ClothFriction(const Separation& separation, const Vector3& normal,
                              const std::array<Vector3, 4>& velocities, double coefficient, double push,
-                             const FrictionLaw& law, bool whole)
+                             const FrictionLaw& law, FrictionMatrix matrix)
     : separation_(separation),
       normal_(normal),
       relative_(Vector3::Zero()),
@@ -15,21 +15,22 @@ ClothFriction::ClothFriction(const Separation& separation, const std::array<Vect
   sliding_ = along_ * relative_;
   const double speed = sliding_.norm();
   over_speed_ = law.over_speed(speed);
-  slope_over_speed_ = law.slope_over_speed(speed);
   by_sliding_ = -coefficient * push * over_speed_ * Matrix3::Identity();
-  if (whole) by_sliding_ -= coefficient * push * slope_over_speed_ * sliding_ * sliding_.transpose();
-  const SeparationHessian turning(separation, x);
+  if (matrix == FrictionMatrix::tangent)
+    by_sliding_ -= coefficient * push * law.slope_over_speed(speed) * sliding_ * sliding_.transpose();
+}
+
+void ClothFriction::prepare_by_place(const std::array<Vector3, 4>& x, const std::array<Vector3, 4>& velocities,
+                                     const SeparationHessian& turning, double slope, double pressure_area,
+                                     const std::array<Vector3, 4>& crossing) {
   for (std::size_t a = 0; a < 2; ++a) {
     joint_[a] = slide_velocity_[a] = Vector3::Zero();
     for (std::size_t k = 0; k < 4; ++k) {
-      joint_[a] += separation.by_slide[a][k] * x[k];
-      slide_velocity_[a] += separation.by_slide[a][k] * velocities[k];
+      joint_[a] += separation_.by_slide[a][k] * x[k];
+      slide_velocity_[a] += separation_.by_slide[a][k] * velocities[k];
       slide_[a][k] = turning.slide_gradient(a, k);
     }
   }
-}
-
-void ClothFriction::know_push_gradient(double slope, double pressure_area, const std::array<Vector3, 4>& crossing) {
   for (std::size_t l = 0; l < 4; ++l)
     push_gradient_[l] = -slope * separation_.weights[l] * normal_ + pressure_area * crossing[l];
 }

@@ -158,19 +158,19 @@ void ObstacleContact::declare_pattern(Pattern& pattern) const {
 
 ContactReport ObstacleContact::report(const State& state) const {
   ContactReport report;
-  report.total_forces.assign(bodies_.size(), Vector3::Zero());
   visit_pairs(state, [&](const Pair& pair) {
     ++report.contacts;
     report.deepest_penetration = std::max(report.deepest_penetration, -pair.distance.gap);
-    report.total_forces[pair.body] += pair.push * pair.distance.normal + friction(pair, state);
-    if (bodies_[pair.body].friction == 0) return;
-    const double speed = sliding(pair, state).norm();
-    if (speed < friction_law_.speed())
-      report.fastest_creep = std::max(report.fastest_creep, speed);
-    else
-      ++report.sliding;
+    if (bodies_[pair.body].friction > 0) report.count_friction(sliding(pair, state).norm(), friction_law_.speed());
   });
   return report;
+}
+
+std::vector<Vector3> ObstacleContact::total_forces(const State& state) const {
+  std::vector<Vector3> forces(bodies_.size(), Vector3::Zero());
+  visit_pairs(state,
+              [&](const Pair& pair) { forces[pair.body] += pair.push * pair.distance.normal + friction(pair, state); });
+  return forces;
 }
 
 ClosestSurface ObstacleContact::closest(const State& when, const Vector3& x) const {

@@ -129,7 +129,7 @@ TEST(Model, TheFloorCarriesTheWeightOfASheetAtRest) {
       "[[fix]]\nnodes = { near = [0, 0, 0] }\ncomponents = [\"x\", \"y\"]\n[[obstacle]]\nkind = \"plane\"\n"));
   const Vector q = samples::equilibrium(model, 1e-7), still = Vector::Zero(q.size());
   const auto report = model.contact->report({0, q, still});
-  EXPECT_NEAR(report.total_forces.at(0).z() / sheet_weight, 1, 1e-4);
+  EXPECT_NEAR(model.contact->total_forces({0, q, still}).at(0).z() / sheet_weight, 1, 1e-4);
   EXPECT_EQ(report.contacts, 7 * 9);               // 4 × 5 nodes, and a point between any two neighbours
   EXPECT_LT(report.deepest_penetration, 0.05e-3);  // a tenth of the thickness, which is what the stiffness is for
 }

@@ -33,10 +33,10 @@ QuadMesh two_sheets(const Vector3& shift, double angle) {
   return mesh;
 }
 
-ClothContact contact_of(const QuadMesh& mesh, double friction = 0, bool whole = false) {
+ClothContact contact_of(const QuadMesh& mesh, double friction = 0, FrictionMatrix matrix = FrictionMatrix::secant) {
   return {ClothPairs(mesh, thickness, 2),
           {stiffness, smoothing},
-          {.friction = friction, .friction_law = FrictionLaw(0.2), .whole_friction_tangent = whole}};
+          {.friction = friction, .friction_law = FrictionLaw(0.2), .friction_matrix = matrix}};
 }
 
 Vector forces(const ForceTerm& term, const State& state) {
@@ -107,7 +107,7 @@ TEST(ClothContact, CrossingEdgesHaveExactDerivatives) {
 TEST(ClothContact, ExactTangentOfFriction) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const auto mesh = two_sheets({0.003, -0.002, 0.7 * thickness}, 0.5);
-    const auto contact = contact_of(mesh, 0.4, true);
+    const auto contact = contact_of(mesh, 0.4, FrictionMatrix::tangent);
     const auto state = perturbed(mesh.reference, 0.4e-3, 0.15, seed);
     expect_tangent_is_force_derivative(contact, state, 2e-5);
     const Vector f = forces(contact, state);

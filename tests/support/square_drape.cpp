@@ -16,7 +16,7 @@ Rest look(const Benchmark& b, const Vector& q) {
   Rest r;
   r.energy = b.model.system->energies(all).stored();
   r.residual = relative_residual(*b.model.system, all, 0);
-  r.carried = contact.total_forces.at(0).z() / b.model.weight;
+  r.carried = b.model.contact->total_forces(all).at(0).z() / b.model.weight;
   r.penetration = contact.deepest_penetration;
   r.strain = b.model.edge_strains.range(q).second;
   r.negative_pivots = negative_pivots(*b.model.system, all, 1e-3 * std::sqrt(b.model.gravity / side)).value_or(-1);

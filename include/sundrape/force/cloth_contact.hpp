@@ -5,6 +5,7 @@
 
 #include "sundrape/force/cloth_law.hpp"
 #include "sundrape/force/cloth_pairs.hpp"
+#include "sundrape/force/contact_report.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/friction_law.hpp"
 
@@ -14,26 +15,18 @@ namespace sundrape {
 struct ClothContactOptions {
   double friction = 0;  // μ
   FrictionLaw friction_law = FrictionLaw(1e-4);
-  bool whole_friction_tangent = false;  // else the secant, as ObstacleContact
-};
-
-/// How the cloth stands to itself at one instant.
-struct ClothContactReport {
-  int contacts = 0;                // nodes and edges that press on something
-  int sliding = 0;                 // of these, those whose friction has its full size
-  double deepest_penetration = 0;  // max(0, h − distance) over nodes and triangles [m]
-  double fastest_creep = 0;        // of those that friction holds [m/s]
+  FrictionMatrix friction_matrix = FrictionMatrix::secant;
 };
 
 /// Contact of cloth with cloth, by penalty: of a sheet with itself and with others, on both sides alike, with friction.
 ///
-/// With the thickness h at which two sheets lie on each other, a node at distance d from a triangle has the energy A
-/// W(d − h + w/2), with the potential W of the contact law and its smoothing w; forces and tangent are its exact
-/// derivatives. Edges that cross are a second line: where sheets touch with their nodes, edges are no nearer, but
-/// ridges and rims can slip between nodes. They push from `edge_share` h on, with a factor that vanishes as edges
-/// become parallel (C. Li et al., "Incremental potential contact", 2020, (24)). Friction acts along both mid-surfaces,
-/// a thickness apart; the couple of the two is left out of the cloth's balance. Which pairs are near is found anew when
-/// nodes have moved; it decides what is computed, never what comes out.
+/// With the thickness h at which two sheets lie on each other, a node at distance d from a triangle has the energy
+/// A W(d, h), with the potential W of ClothLaw; forces and tangent are its exact derivatives. Edges that cross are a
+/// second line: where sheets touch with their nodes, edges are no nearer, but ridges and rims can slip between nodes.
+/// They push from `edge_share` h on, with a factor that vanishes as edges become parallel (C. Li et al., "Incremental
+/// potential contact", 2020, (24)). Friction acts along both mid-surfaces, a thickness apart; the couple of the two is
+/// left out of the cloth's balance. Which pairs are near is found anew when nodes have moved; it decides what is
+/// computed, never what comes out.
 ///
 /// Shapes: N nodes, so q and forces have 3N entries or more; each pair that couples is an element of up to four points.
 class ClothContact final : public ForceTerm {
@@ -55,7 +48,7 @@ class ClothContact final : public ForceTerm {
   [[nodiscard]] const ClothLaw& law() const { return law_; }
   [[nodiscard]] const ClothContactOptions& options() const { return options_; }
   [[nodiscard]] const SheetSurface& surface() const { return pairs_.surface(); }
-  [[nodiscard]] ClothContactReport report(const State& state) const;
+  [[nodiscard]] ContactReport report(const State& state) const;
   /// How often pairs were searched so far, and elements declared anew.
   [[nodiscard]] long searches() const { return searches_; }
   [[nodiscard]] long patterns() const { return patterns_; }
@@ -68,15 +61,7 @@ class ClothContact final : public ForceTerm {
     double distance;       // when it was found [m]
     std::int32_t element;  // among those declared; −1: not
   };
-  /// A pair that presses.
-  struct Contact {
-    const ClothPair& pair;
-    std::int32_t element;
-    std::array<Vector3, 4> x;
-    Separation separation;
-    Vector3 normal;  // unit vector along the way
-    double push;     // A p, less of edges that are nearly parallel [N]
-  };
+  struct Contact;
 
   [[nodiscard]] double reach() const { return law_.reach(pairs_.largest_thickness()); }
   /// At which distance a pair rests under no load, nearly [m].
@@ -85,20 +70,18 @@ class ClothContact final : public ForceTerm {
   }
   /// Candidates for all states whose nodes are near q.
   void search(const ConstVectorRef& q, double margin) const;
-  /// How far nodes have moved, at most, since the candidates at hand were found [m].
+  /// Sees to candidates for a state; how far nodes have moved since these were found, at most [m].
   double require_candidates(const ConstVectorRef& q) const;
   /// Whether a candidate can have come nearer than `distance` since it was found.
   [[nodiscard]] bool may_be_within(double distance, const Candidate& candidate, const ConstVectorRef& q) const;
   void list_elements() const;
   /// Whether a pair presses, or soon may.
   [[nodiscard]] bool couples(const ClothPair& pair, const ConstVectorRef& q) const;
+  /// How far nodes have moved since the last search, at most, but for what they all have in common [m].
   [[nodiscard]] double moved_since_search(const ConstVectorRef& q) const;
   template <class Visit>
   void visit(const State& state, Visit&& visit) const;
   [[nodiscard]] Vector3 sliding(const Contact& contact, const State& state) const;
-  [[nodiscard]] static std::array<Vector3, 4> velocities(const ClothPair& pair, const State& state) {
-    return pair.at(state.v);
-  }
 
   ClothPairs pairs_;
   ClothLaw law_;

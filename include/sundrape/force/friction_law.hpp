@@ -3,6 +3,9 @@
 
 namespace sundrape {
 
+/// How friction enters the matrix of Newton's iteration: by its true derivative by the velocity, or by its secant.
+enum class FrictionMatrix { secant, tangent };
+
 /// Coulomb's friction, made smooth at rest: a force −μ N φ(s/s₀) along the velocity of sliding, of speed s.
 ///
 /// φ(x) = 1 − (1 − x)³ up to x = 1 and 1 beyond: C² there, and at rest viscous with 3 μ N/s₀. What is held creeps:

@@ -5,6 +5,7 @@
 
 #include "sundrape/force/contact_law.hpp"
 #include "sundrape/force/contact_points.hpp"
+#include "sundrape/force/contact_report.hpp"
 #include "sundrape/force/force_term.hpp"
 #include "sundrape/force/friction_law.hpp"
 #include "sundrape/force/obstacle.hpp"
@@ -19,23 +20,11 @@ struct ContactBody {
   std::optional<PathCourse> course = {};          // from there
 };
 
-/// How friction enters the matrix of Newton's iteration.
-enum class FrictionMatrix { secant, tangent };
-
 /// What of an obstacle is nearest to a point.
 struct ClosestSurface {
   double gap;        // [m]; infinite without obstacles
   Vector3 normal;    // out of the obstacle; zero without obstacles
   std::size_t body;  // which obstacle
-};
-
-/// How the cloth stands to its obstacles at one instant.
-struct ContactReport {
-  int contacts = 0;                   // pairs of a contact point and an obstacle that press on each other
-  int sliding = 0;                    // of these pairs, those whose friction has its full size
-  double deepest_penetration = 0;     // max(0, −gap) over all of them [m]
-  double fastest_creep = 0;           // of those that friction holds [m/s]
-  std::vector<Vector3> total_forces;  // on the cloth, with friction, one an obstacle [N]
 };
 
 /// Contact of a sheet's points with rigid obstacles, by penalty, and Coulomb's friction on them.
@@ -70,6 +59,8 @@ class ObstacleContact final : public ForceTerm {
   [[nodiscard]] bool has_friction() const { return largest_friction() > 0; }
   [[nodiscard]] double largest_friction() const;  // μ
   [[nodiscard]] ContactReport report(const State& state) const;
+  /// On the cloth, with friction, one an obstacle [N].
+  [[nodiscard]] std::vector<Vector3> total_forces(const State& state) const;
   /// The surface with the smallest gap over all obstacles, where these are at the state's time.
   [[nodiscard]] ClosestSurface closest(const State& when, const Vector3& x) const;
   [[nodiscard]] std::size_t bodies() const { return bodies_.size(); }
