@@ -15,6 +15,9 @@
 namespace sundrape {
 namespace {
 
+// Within the barrier Newton's last correction turns springs by this part of what is left to π, at most.
+constexpr double settled = 0.1;
+
 /// Second derivatives of the springs' energy by their edges a, b and axis c (and of its damping's power, where kept).
 template <class Matrix>
 struct EdgeTangent {
@@ -134,6 +137,7 @@ LaneMatrices<9> by_lanes(const EdgeTangent<Batch3x3>& t) {
 struct BendSprings::Edges {
   Batch3 a, b, c;
 
+  [[nodiscard]] Batch angle() const { return BasicHingeAngle<Batch>(a, b, c).angle; }
   /// Σ of the gradient of φ times these vectors: with rates, dφ/dt
   [[nodiscard]] Batch along(const BasicHingeAngle<Batch>& hinge) const {
     return hinge.ga.dot(a) + hinge.gb.dot(b) + hinge.gc.dot(c);
@@ -222,8 +226,7 @@ BendSprings::Edges BendSprings::edges(std::size_t first, ConstVectorRef x) const
 
 double BendSprings::energy(const State& state) const {
   return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
-    const auto x = edges(e, state.q);
-    const Batch angle = BasicHingeAngle<Batch>(x.a, x.b, x.c).angle, turn = angle - load(table_, rest_angle, e);
+    const Batch angle = edges(e, state.q).angle(), turn = angle - load(table_, rest_angle, e);
     const Batch bending = law_ ? bend_response(*law_, load(table_, length, e), turn).energy : Batch(0.5) * turn * turn;
     return load(table_, stiffness, e) * (bending + fold_limit(angle).energy);
   });
@@ -305,13 +308,20 @@ void BendSprings::declare_pattern(Pattern& pattern) const {
   for (std::size_t e = 0; e < table_.size(); ++e) pattern.add_element(stencil(e).points);
 }
 
-std::optional<Passage> BendSprings::passage(const State& from, const State& to) const {
-  const auto angles = [&](std::size_t e, const State& state) -> Batch {
-    const auto x = edges(e, state.q);
-    return BasicHingeAngle<Batch>(x.a, x.b, x.c).angle;
-  };
+bool BendSprings::settles(const State& before, const State& after) const {
   for (std::size_t e = 0; e < table_.size(); e += lanes) {
-    const Batch turn = xsimd::abs(angles(e, to) - angles(e, from));
+    const Batch angle = edges(e, after.q).angle();
+    if (xsimd::none(xsimd::abs(angle) > Batch(fold_limit_begin))) continue;
+    const Batch turn = xsimd::abs(angle - edges(e, before.q).angle()),
+                left = Batch(std::numbers::pi) - xsimd::abs(angle);
+    if (xsimd::any((xsimd::abs(angle) > Batch(fold_limit_begin)) && (turn > Batch(settled) * left))) return false;
+  }
+  return true;
+}
+
+std::optional<Passage> BendSprings::passage(const State& from, const State& to) const {
+  for (std::size_t e = 0; e < table_.size(); e += lanes) {
+    const Batch turn = xsimd::abs(edges(e, to.q).angle() - edges(e, from.q).angle());
     for (std::size_t lane = 0; lane < std::min(lanes, table_.size() - e); ++lane) {
       if (!(turn.get(lane) > std::numbers::pi)) continue;
       const int centre = table_.point_of(1, e + lane);
@@ -324,8 +334,7 @@ std::optional<Passage> BendSprings::passage(const State& from, const State& to) 
 double BendSprings::largest_angle(ConstVectorRef q) const {
   double largest = 0;
   for (std::size_t e = 0; e < table_.size(); e += lanes) {
-    const auto x = edges(e, q);
-    const Batch angle = xsimd::abs(BasicHingeAngle<Batch>(x.a, x.b, x.c).angle);
+    const Batch angle = xsimd::abs(edges(e, q).angle());
     for (std::size_t lane = 0; lane < lanes; ++lane) largest = std::max(largest, angle.get(lane));
   }
   return largest;

@@ -24,6 +24,9 @@ constexpr double coupled_beyond = 0.5, coupled_beyond_edges = 0.25;
 // Nodes keep at least this part of the thickness from what they are about to pass through: the barrier of the law never
 // lets them come so near.
 constexpr double least_clearance = 0.02;
+// Within the barrier Newton's last correction changes distances by this part of them at most: Newton's iteration comes
+// out of it by a third of the distance at a time, and leaves an error of some 3 % of the force there.
+constexpr double settled = 0.1;
 
 /// How far nodes are from where they were, less what all have in common: it does not bring them nearer to each other.
 /// Two of them have come nearer by twice that, at most.
@@ -279,6 +282,18 @@ std::optional<Passage> ClothContact::passage(const State& from, const State& to)
       return Passage{passage_text(pair), mean_place(pair.at(from.q), met->weights)};
   }
   return std::nullopt;
+}
+
+bool ClothContact::settles(const State& before, const State& after) const {
+  const double nearer = 2 * require_candidates(after.q);
+  return std::ranges::all_of(candidates_, [&](const Candidate& candidate) {
+    const auto& pair = candidate.pair;
+    const double barrier = law_.barrier_begin(rest_distance(pair));
+    if (candidate.distance - nearer > barrier || !may_be_within(barrier, candidate, after.q)) return true;
+    const double distance = separation(pair.shapes, pair.at(after.q)).distance;
+    if (distance >= barrier) return true;
+    return std::abs(distance - separation(pair.shapes, pair.at(before.q)).distance) <= settled * distance;
+  });
 }
 
 ContactReport ClothContact::report(const State& state) const {

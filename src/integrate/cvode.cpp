@@ -72,7 +72,8 @@ class Cvode final : public ImplicitIntegrator {
     require_success(CVodeWFtolerances(m, weigh), "CVodeWFtolerances");
     require_success(CVodeSetLinearSolver(m, embedded_.get(), nullptr), "CVodeSetLinearSolver");
     require_success(CVodeSetNonlinearSolver(m, iteration_.get()), "CVodeSetNonlinearSolver");
-    iteration_.use_rule(options_.newton_accuracy < 1, [this](N_Vector total) { return admits_end(total); });
+    iteration_.use_rule(options_.newton_accuracy < 1,
+                        [this](N_Vector total, N_Vector last) { return judge_end(total, last); });
     require_success(CVodeSetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "CVodeSetNonlinConvCoef");
     require_success(CVodeSetMaxNumSteps(m, -1), "CVodeSetMaxNumSteps");
     require_success(CVodeSetMinStep(m, least_step), "CVodeSetMinStep");
@@ -107,12 +108,12 @@ class Cvode final : public ImplicitIntegrator {
     return correct(t, 1 / gamma, y, force_, r_q_, r_v_, x);
   }
 
-  bool admits_end(N_Vector total) {
+  sundials::Verdict judge_end(N_Vector total, N_Vector last) {
     realtype t = 0, gamma = 0, rl1 = 0;
     N_Vector predicted = nullptr, y = nullptr, f = nullptr, zn1 = nullptr;
     void* data = nullptr;
     CVodeGetNonlinearSystemData(memory_.get(), &t, &predicted, &y, &f, &gamma, &rl1, &zn1, &data);
-    return admits(t, predicted, total);
+    return judge(t, predicted, total, last);
   }
 
   void interpolant(double time, N_Vector y) const override {

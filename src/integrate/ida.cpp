@@ -73,7 +73,8 @@ class Ida final : public ImplicitIntegrator {
     if (form_.system().has_massless_rows()) leave_algebraic_rates_out_of_the_error_test();
     require_success(IDASetLinearSolver(m, embedded_.get(), nullptr), "IDASetLinearSolver");
     require_success(IDASetNonlinearSolver(m, iteration_.get()), "IDASetNonlinearSolver");
-    iteration_.use_rule(options_.newton_accuracy < 1, [this](N_Vector total) { return admits_end(total); });
+    iteration_.use_rule(options_.newton_accuracy < 1,
+                        [this](N_Vector total, N_Vector last) { return judge_end(total, last); });
     require_success(IDASetNonlinConvCoef(m, options_.newton_accuracy * newton_part), "IDASetNonlinConvCoef");
     require_success(IDASetMaxNumSteps(m, -1), "IDASetMaxNumSteps");
     require_success(IDASetMinStep(m, least_step), "IDASetMinStep");
@@ -130,12 +131,12 @@ class Ida final : public ImplicitIntegrator {
     return correct(t, c, y, force_, right.head(n), right.tail(n), x);
   }
 
-  bool admits_end(N_Vector total) {
+  sundials::Verdict judge_end(N_Vector total, N_Vector last) {
     realtype t = 0, c = 0;
     N_Vector predicted = nullptr, predicted_dot = nullptr, y = nullptr, y_dot = nullptr, r = nullptr;
     void* data = nullptr;
     IDAGetNonlinearSystemData(memory_.get(), &t, &predicted, &predicted_dot, &y, &y_dot, &r, &c, &data);
-    return admits(t, predicted, total);
+    return judge(t, predicted, total, last);
   }
 
   void interpolant(double time, N_Vector y) const override {

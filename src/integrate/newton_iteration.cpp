@@ -25,9 +25,9 @@ NewtonIteration::NewtonIteration(const StateVector& like, const Context& context
   if (!solver_) throw std::bad_alloc();
 }
 
-void NewtonIteration::use_rule(bool doubtful, std::function<bool(N_Vector)> admits) {
+void NewtonIteration::use_rule(bool doubtful, std::function<Verdict(N_Vector, N_Vector)> judge) {
   doubtful_ = doubtful;
-  admits_ = std::move(admits);
+  judge_ = std::move(judge);
   require_success(SUNNonlinSolSetConvTestFn(solver_.get(), test, this), "SUNNonlinSolSetConvTestFn");
 }
 
@@ -45,8 +45,10 @@ int NewtonIteration::test(SUNNonlinearSolver solver, N_Vector total, N_Vector co
     const double rate = iteration > 0 ? size / me.previous_ : 1.0;
     near = rate < 1 && size * rate / (1 - rate) <= tolerance;
   }
-  if (near && size * expected <= tolerance && largest_move(correction, weights) * expected <= largest)
-    return me.admits_(total) ? SUN_NLS_SUCCESS : SUN_NLS_CONV_RECVR;
+  if (near && size * expected <= tolerance && largest_move(correction, weights) * expected <= largest) {
+    const auto verdict = me.judge_(total, correction);
+    if (verdict != Verdict::go_on) return verdict == Verdict::accept ? SUN_NLS_SUCCESS : SUN_NLS_CONV_RECVR;
+  }
   if (iteration > 0 && size > divergence * me.previous_) return SUN_NLS_CONV_RECVR;
   me.previous_ = size;
   return SUN_NLS_CONTINUE;

@@ -7,6 +7,9 @@
 
 namespace sundrape::sundials {
 
+/// What is to become of a step whose corrections have become small: taken, iterated further, or tried again smaller.
+enum class Verdict { accept, go_on, refuse };
+
 /// Newton's iteration of a step, ended by CVODE's rule and one more: δ_m is the weighted norm of correction m, and the
 /// iterate is taken once δ_m min(1, rate) ≤ tolerance, rate being max(0.3 rate, δ_m/δ_{m−1}), and 1 at the start of
 /// each step, and once no coordinate alone is expected to be off by more than twice its tolerance.
@@ -31,9 +34,9 @@ class NewtonIteration {
   [[nodiscard]] SUNNonlinearSolver get() const { return solver_.get(); }
   /// Once the integrator has the solver, which sets its own rule.
   /// @param doubtful  the matrix is not the tangent (friction): small corrections alone do not mean convergence
-  /// @param admits   asked of the correction of the prediction that the iteration ends with; if it says no, the step
-  ///                 fails, to be tried again smaller
-  void use_rule(bool doubtful, std::function<bool(N_Vector)> admits);
+  /// @param judge     asked once corrections are small: of the correction of the prediction so far, and of the last
+  ///                  iteration's part of it
+  void use_rule(bool doubtful, std::function<Verdict(N_Vector, N_Vector)> judge);
 
  private:
   struct Free {
@@ -44,7 +47,7 @@ class NewtonIteration {
 
   std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, Free> solver_;
   bool doubtful_ = false;
-  std::function<bool(N_Vector)> admits_;
+  std::function<Verdict(N_Vector, N_Vector)> judge_;
   double rate_ = 1, previous_ = 0;
 };
 

@@ -85,15 +85,21 @@ int ImplicitIntegrator::evaluate_weights(N_Vector y, N_Vector weights) {
   });
 }
 
-bool ImplicitIntegrator::admits(double time, N_Vector predicted, N_Vector correction) {
+sundials::Verdict ImplicitIntegrator::judge(double time, N_Vector predicted, N_Vector total, N_Vector last) {
+  using sundials::Verdict;
+  if (!guard_.watches()) return Verdict::accept;
   const auto n = form_.size() / 2;
-  bool admitted = true;
-  const int flag = carrier_.run([&] {
-    end_ = sundials::values(predicted).head(n) + sundials::values(correction).head(n);
-    admitted = guard_.admits(time, end_);
+  auto verdict = Verdict::refuse;
+  carrier_.run([&] {
+    end_ = sundials::values(predicted).head(n) + sundials::values(total).head(n);
+    before_ = end_ - sundials::values(last).head(n);
+    if (!guard_.settles(time, before_, end_))
+      verdict = Verdict::go_on;
+    else if (guard_.admits(time, end_))
+      verdict = Verdict::accept;
     return 0;
   });
-  return flag == 0 && admitted;
+  return verdict;
 }
 
 int ImplicitIntegrator::correct(double time, double c, N_Vector y, ConstVectorRef force, ConstVectorRef r_q,

@@ -6,6 +6,7 @@
 #include "sundrape/integrate/integrator.hpp"
 #include "sundrape/integrate/step_guard.hpp"
 
+#include "newton_iteration.hpp"
 #include "sundials_support.hpp"
 
 namespace sundrape {
@@ -71,8 +72,9 @@ class ImplicitIntegrator : public SundialsIntegrator {
                      EventSource* events);
 
   int evaluate_weights(N_Vector y, N_Vector weights);
-  /// Whether a step may end with the prediction and this correction of it.
-  bool admits(double time, N_Vector predicted, N_Vector correction);
+  /// What is to become of a step whose iteration is about to end with the prediction and this total correction of it,
+  /// of which the last iteration's is a part.
+  sundials::Verdict judge(double time, N_Vector predicted, N_Vector total, N_Vector last);
   /// What a step that fails, however small, fails for: `otherwise`, unless it was to pass cloth through cloth.
   [[nodiscard]] std::string cause(const std::string& otherwise) const {
     return guard_.refusal() ? describe(*guard_.refusal()) + ", however small the step" : otherwise;
@@ -89,7 +91,7 @@ class ImplicitIntegrator : public SundialsIntegrator {
 
  private:
   double last_correction_ = 0;  // |dq| of the iteration before
-  Vector end_;                  // rows, of a step
+  Vector before_, end_;         // rows, of the last iterates of a step
 };
 
 }  // namespace sundrape

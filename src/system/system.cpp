@@ -47,6 +47,10 @@ std::optional<Passage> System::passage(const State& from, const State& to) const
   return std::nullopt;
 }
 
+bool System::settles(const State& before, const State& after) const {
+  return std::ranges::all_of(terms_, [&](const auto& term) { return term->settles(before, after); });
+}
+
 void System::take_hold(std::size_t motion, const std::vector<int>& points, const std::vector<int>& directors,
                        const State& all) {
   if (motions_.carries(motion)) throw std::logic_error("a gripper that is closed cannot take hold");

@@ -1,11 +1,15 @@
 #include "sundrape/force/cloth_contact.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "sundrape/mesh/builders.hpp"
+#include "sundrape/mesh/joined.hpp"
 
 #include "support/force_term_checks.hpp"
 
@@ -16,21 +20,18 @@ namespace {
 constexpr double thickness = 3e-3, smoothing = 2e-3, stiffness = 4e6;
 constexpr double cell = 0.01;
 
-/// Two sheets of 3 × 3 cells in one mesh, the second moved and turned about z.
-QuadMesh two_sheets(const Vector3& shift, double angle) {
-  auto mesh = rectangle(3 * cell, 3 * cell, 3, 3);
-  const int nodes = mesh.nodes();
-  const auto quads = mesh.quads;
+/// A square sheet, moved and turned about z.
+QuadMesh sheet(int cells, const Vector3& shift = Vector3::Zero(), double angle = 0) {
+  auto mesh = rectangle(cells * cell, cells * cell, cells, cells);
   const Matrix3 turn = Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
-  for (int i = 0; i < nodes; ++i) {
-    mesh.reference.emplace_back(turn * mesh.reference[static_cast<std::size_t>(i)] + shift);
-    mesh.material.push_back(mesh.material[static_cast<std::size_t>(i)]);
-  }
-  for (auto quad : quads) {
-    for (auto& n : quad) n += nodes;
-    mesh.quads.push_back(quad);
-  }
+  for (auto& x : mesh.reference) x = turn * x + shift;
   return mesh;
+}
+
+/// A sheet of 3 × 3 cells in one mesh with another below it.
+QuadMesh two_sheets(const Vector3& shift, double angle, int cells_below = 3) {
+  const std::array sheets{sheet(cells_below), sheet(3, shift, angle)};
+  return joined(sheets, std::array<std::string, 2>{"below", "above"});
 }
 
 ClothContact contact_of(const QuadMesh& mesh, double friction = 0, FrictionMatrix matrix = FrictionMatrix::secant) {
@@ -124,41 +125,27 @@ TEST(ClothContact, FrictionDissipatesAndRigidMotionDoesNot) {
 }
 
 TEST(ClothContact, FlatSheetsPressAlikeWhereverTheirNodesAre) {
-  // all of the smaller area presses: the pressure at the gap times the overlap, whatever the position
-  const double gap = 0.9 * thickness;
+  const double gap = 0.9 * thickness, half = 1.5 * cell;
   const ContactLaw law(stiffness, 0.5 * smoothing);  // edges do not reach each other
-  const double pressure = law.pressure(gap - thickness + 0.25 * smoothing);
-  const auto whole = [&](const Vector3& shift, double angle) {
-    auto mesh = rectangle(9 * cell, 9 * cell, 9, 9);  // under it
-    const auto small = two_sheets(shift, angle);
-    const int under = mesh.nodes(), half = small.nodes() / 2;
-    for (int i = 0; i < half; ++i) {
-      mesh.reference.push_back(small.reference[static_cast<std::size_t>(half + i)]);
-      mesh.material.push_back(small.material[static_cast<std::size_t>(i)]);
-    }
-    for (std::size_t e = 0; e < 9; ++e) {
-      auto quad = small.quads[e];
-      for (auto& n : quad) n += under;
-      mesh.quads.push_back(quad);
-    }
-    const ClothContact contact(ClothPairs(mesh, thickness, 2), law, {});
-    const auto state = perturbed(mesh.reference, 0, 0, 1);
-    const Vector f = forces(contact, state);
-    double up = 0;
-    for (int i = under; i < mesh.nodes(); ++i) up += f[3 * i + 2];
-    return up;
-  };
-  const double area = 9 * cell * cell;
-  // Node on node the upper one's nodes see all of its area, 9 cells, and the 16 nodes below it a whole cell each; both
-  // count half.
-  EXPECT_NEAR(whole({0, 0, gap}, 0), 0.5 * (9 + 16) * cell * cell * pressure, 1e-9 * area * pressure);
-  // elsewhere the areas of those below overlap the upper sheet by chance
-  for (const auto& shift : {Vector3(0.2 * cell, 0.1 * cell, gap), Vector3(0.5 * cell, 0.5 * cell, gap),
-                            Vector3(1.3 * cell, -0.4 * cell, gap)})
+  const auto pressure = [&](double d) { return law.pressure(d - thickness + 0.25 * smoothing); };
+  for (const auto& shift : {Vector3(0, 0, gap), Vector3(0.2 * cell, 0.1 * cell, gap),
+                            Vector3(0.5 * cell, 0.5 * cell, gap), Vector3(1.3 * cell, -0.4 * cell, gap)})
     for (const double angle : {0.0, 0.3}) {
-      const double up = whole(shift, angle);
-      EXPECT_NEAR(up, area * pressure, 0.35 * area * pressure) << shift.transpose() << ", " << angle;
-      EXPECT_GT(up, 0.5 * area * pressure);
+      const auto mesh = two_sheets(shift, angle, 9);
+      const ClothContact contact(ClothPairs(mesh, thickness, 2), law, {});
+      const Vector f = forces(contact, perturbed(mesh.reference, 0, 0, 1));
+      // each side is seen by half: all that lies above by the pressure at the gap, and of what lies below a cell around
+      // each node, which beside the upper sheet looks at its rim at a slant
+      double expected = 0.5 * 9 * cell * cell * pressure(gap), up = 0;
+      const Matrix3 turn = Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
+      for (int i = 0; i < 100; ++i) {
+        const Vector3 seen = turn.transpose() * (mesh.reference[static_cast<std::size_t>(i)] - shift);
+        const Vector3 nearest(std::clamp(seen.x(), -half, half), std::clamp(seen.y(), -half, half), 0);
+        const double d = (seen - nearest).norm();
+        expected += 0.5 * cell * cell * pressure(d) * gap / d;
+      }
+      for (int i = 100; i < mesh.nodes(); ++i) up += f[3 * i + 2];
+      EXPECT_NEAR(up, expected, 1e-9 * expected) << shift.transpose() << ", " << angle;
     }
 }
 
@@ -219,6 +206,20 @@ TEST(ClothContact, AStepThroughTheOtherSheetIsNoticed) {
 TEST(ClothContact, RefusesALawWiderThanTheCloth) {
   const auto mesh = rectangle(cell, cell, 1, 1);
   EXPECT_THROW(ClothContact(ClothPairs(mesh, 1e-3, 2), {1e6, 1e-3}, {}), std::invalid_argument);
+}
+
+TEST(ClothContact, WithinTheBarrierCorrectionsHaveToBeSmallAgainstTheDistance) {
+  const auto mesh = two_sheets({0.003, -0.002, thickness}, 0.5);
+  const auto contact = contact_of(mesh);
+  const auto apart = [&](double distance) {
+    auto state = perturbed(mesh.reference, 0, 0, 1);
+    for (int i = mesh.nodes() / 2; i < mesh.nodes(); ++i) state.q[3 * i + 2] = distance;
+    return state;
+  };
+  EXPECT_TRUE(contact.settles(apart(2 * thickness), apart(0.55 * thickness)));
+  EXPECT_FALSE(contact.settles(apart(0.4 * thickness), apart(0.3 * thickness)));
+  EXPECT_FALSE(contact.settles(apart(0.2 * thickness), apart(0.3 * thickness)));
+  EXPECT_TRUE(contact.settles(apart(0.31 * thickness), apart(0.3 * thickness)));
 }
 
 }  // namespace

@@ -78,5 +78,17 @@ TEST(FoldLimit, NoStepMayTurnASpringThroughAHalfTurn) {
   }
 }
 
+TEST(FoldLimit, WithinItCorrectionsHaveToBeSmallAgainstWhatIsLeft) {
+  const auto bends = spring();
+  const auto settles = [&](double before, double after) {
+    return bends.settles(turned(before * degree), turned(after * degree));
+  };
+  EXPECT_TRUE(settles(20, 140));
+  EXPECT_FALSE(settles(178, 170));
+  EXPECT_FALSE(settles(150, 170));
+  EXPECT_TRUE(settles(169.5, 170));
+  EXPECT_TRUE(settles(-169.5, -170));
+}
+
 }  // namespace
 }  // namespace sundrape

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sundrape/mesh/box_pairs.hpp"
 #include "sundrape/mesh/builders.hpp"
 
 namespace sundrape {
@@ -52,42 +51,6 @@ TEST(Crossings, TouchingByOneBitCountsAndMissingByOneBitDoesNot) {
   EXPECT_FALSE(crossings(surface, q).empty());
   q[3 * 4 + 2] = 5e-324;
   EXPECT_TRUE(crossings(surface, q).empty());
-}
-
-TEST(BoxPairs, AreAllThatOverlap) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (int i = 0; i < 300; ++i) {
-    const auto wave = [i](double rate) { return std::sin(rate * (i + 1)); };
-    const Vector3 low(wave(1.3), wave(2.7), wave(4.1));
-    boxes.emplace_back(low, Vector3(low + 0.15 * Vector3(1 + wave(5), 1 + wave(7), 1 + wave(11))));
-  }
-  std::vector<std::pair<int, int>> expected;
-  for (int i = 0; i < 300; ++i)
-    for (int j = i + 1; j < 300; ++j)
-      if (boxes[static_cast<std::size_t>(i)].intersects(boxes[static_cast<std::size_t>(j)]))
-        expected.emplace_back(i, j);
-  EXPECT_GT(expected.size(), 50U);
-  EXPECT_EQ(overlapping_pairs(boxes), expected);
-}
-
-TEST(SheetSurface, HasEveryEdgeOnceAndAllItsArea) {
-  const auto mesh = rectangle(0.03, 0.02, 3, 2);
-  const SheetSurface surface(mesh);
-  EXPECT_EQ(surface.triangles.size(), 12U);
-  EXPECT_EQ(surface.edges.size(), 3U * 3 + 2 * 4 + 6);
-  double nodes = 0, edges = 0;
-  for (const double a : surface.node_areas) nodes += a;
-  for (const auto& e : surface.edges) edges += e.area;
-  EXPECT_NEAR(nodes, 6e-4, 1e-15);
-  EXPECT_NEAR(edges, 6e-4, 1e-15);
-}
-
-TEST(SheetSurface, NodesWithinAreThoseNearAlongTheSheet) {
-  const auto mesh = rectangle(0.02, 0.02, 4, 4);  // 5 mm
-  for (const auto& near : nodes_within(mesh, 4e-3)) EXPECT_TRUE(near.empty());
-  const auto near = nodes_within(mesh, 6e-3);
-  EXPECT_EQ(near[12], (std::vector<int>{7, 11, 13, 17}));
-  EXPECT_EQ(nodes_within(mesh, 8e-3)[12].size(), 8U);
 }
 
 }  // namespace

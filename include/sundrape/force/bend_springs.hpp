@@ -49,6 +49,7 @@ class BendSprings final : public ForceTerm {
   void declare_pattern(Pattern& pattern) const override;
   [[nodiscard]] bool watches_passages() const override { return true; }
   [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const override;
+  [[nodiscard]] bool settles(const State& before, const State& after) const override;
 
   /// Largest |Δφ| over all springs [rad]: near π the net folds more sharply than its mesh can follow.
   [[nodiscard]] double largest_angle(ConstVectorRef q) const;

@@ -44,6 +44,7 @@ class ClothContact final : public ForceTerm {
   void declare_pattern(Pattern& pattern) const override;
   [[nodiscard]] bool watches_passages() const override { return true; }
   [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const override;
+  [[nodiscard]] bool settles(const State& before, const State& after) const override;
 
   [[nodiscard]] const ClothLaw& law() const { return law_; }
   [[nodiscard]] const ClothContactOptions& options() const { return options_; }

@@ -17,6 +17,9 @@ class ClothLaw {
   /// Beyond it there is no force [m].
   [[nodiscard]] double reach(double h) const { return h + 0.5 * law_.smoothing(); }
 
+  /// Nearer than this the barrier acts [m].
+  [[nodiscard]] static double barrier_begin(double h);
+
   /// Pressure [Pa] ≥ 0, its integral from d outwards [J/m²], and −dp/dd [N/m³]; d > 0.
   [[nodiscard]] double pressure(double d, double h) const;
   [[nodiscard]] double energy(double d, double h) const;

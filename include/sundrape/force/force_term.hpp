@@ -60,6 +60,10 @@ class ForceTerm {
   [[nodiscard]] virtual std::optional<Passage> passage(const State& /*from*/, const State& /*to*/) const {
     return std::nullopt;
   }
+  /// Whether Newton's iteration may end with a correction from one iterate to the next. Within a barrier, whose force
+  /// has no bound, corrections are small long before the force is right: they then have to be small against the
+  /// barrier.
+  [[nodiscard]] virtual bool settles(const State& /*before*/, const State& /*after*/) const { return true; }
 };
 
 }  // namespace sundrape

@@ -38,6 +38,8 @@ class System {
   [[nodiscard]] bool watches_passages() const;
   /// What a step straight from one state to another would have pass through each other.
   [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const;
+  /// Whether Newton's iteration may end with a correction from one iterate to the next.
+  [[nodiscard]] bool settles(const State& before, const State& after) const;
 
   /// Has a motion take hold of points, and of directors that turn with them, where they are at a state: from then on
   /// they go where it goes. Points that are held for good stay with what holds them.
@@ -80,13 +82,14 @@ class System {
   [[nodiscard]] double external_force_norm(const State& all) const;
 
  private:
+  /// Has all terms declare what they couple.
+  void declare() const;
+
   Vector mass_, row_mass_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   Unknowns unknowns_;
   Vector rest_;
   PrescribedMotions motions_;
-  void declare() const;
-
   mutable BlockStructure structure_;       // storage, not physics
   mutable std::vector<SlotTable> tables_;  // one a term
 };
