@@ -19,6 +19,7 @@
 #include "sundrape/mesh/directors.hpp"
 #include "sundrape/mesh/waviness.hpp"
 
+#include "overload.hpp"
 #include "pick.hpp"
 #include "pieces.hpp"
 #include "sheet.hpp"
@@ -26,13 +27,6 @@
 
 namespace sundrape {
 namespace {
-
-template <class... Visitors>
-struct Overload : Visitors... {
-  using Visitors::operator()...;
-};
-template <class... Visitors>
-Overload(Visitors...) -> Overload<Visitors...>;  // clang deduces it by itself from version 17 on
 
 Vector flatten(const std::vector<Vector3>& positions) {
   Vector q(static_cast<Eigen::Index>(3 * positions.size()));

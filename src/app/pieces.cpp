@@ -10,15 +10,10 @@
 #include "sundrape/mesh/import.hpp"
 #include "sundrape/mesh/waviness.hpp"
 
+#include "overload.hpp"
+
 namespace sundrape {
 namespace {
-
-template <class... Visitors>
-struct Overload : Visitors... {
-  using Visitors::operator()...;
-};
-template <class... Visitors>
-Overload(Visitors...) -> Overload<Visitors...>;  // clang deduces it by itself from version 17 on
 
 QuadMesh build_mesh(const ClothCase& cloth) {
   return std::visit(

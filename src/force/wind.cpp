@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <Eigen/Geometry>
+#include "face_load.hpp"
 
 namespace sundrape {
 namespace {
@@ -14,11 +14,12 @@ constexpr double along_face = 0.01;  // ε
 
 /// One face in the flow.
 struct Wind::Face {
-  Vector3 d1, d2;      // diagonals [m]
-  Vector3 area, u;     // a [m²], u [m/s]
-  double A, s, speed;  // |a|, u·a, |u|
-  double r;
-  Vector3 drag, lift;  // [N]
+  FaceDiagonals diagonals;
+  Vector3 area, u;           // a [m²], u [m/s]
+  double size, s, speed, r;  // |a|, u·a, |u|
+  Vector3 drag, lift;        // [N]
+
+  Face(const std::array<int, 4>& nodes, const State& state) : diagonals(nodes, state.q), area(diagonals.area()) {}
 };
 
 Wind::Wind(std::vector<std::array<int, 4>> faces, WindField field, AirCoefficients air, LoadCourse course)
@@ -29,19 +30,17 @@ Wind::Wind(std::vector<std::array<int, 4>> faces, WindField field, AirCoefficien
 }
 
 Wind::Face Wind::face(const std::array<int, 4>& n, const State& state, const Vector3& wind) const {
-  Face f;
-  f.d1 = point(state.q, n[2]) - point(state.q, n[0]);
-  f.d2 = point(state.q, n[3]) - point(state.q, n[1]);
-  f.area = 0.5 * f.d1.cross(f.d2);
+  Face f(n, state);
   f.u = wind - 0.25 * (point(state.v, n[0]) + point(state.v, n[1]) + point(state.v, n[2]) + point(state.v, n[3]));
-  f.A = f.area.norm();
+  f.size = f.area.norm();
   f.s = f.u.dot(f.area);
   f.speed = f.u.norm();
-  f.r = std::hypot(f.s, along_face * f.A * f.speed);
+  f.r = std::hypot(f.s, along_face * f.size * f.speed);
   const double half = 0.5 * air_.density;
   f.drag = half * air_.drag * f.r * f.u;
   f.lift = Vector3::Zero();
-  if (f.A > 0 && f.speed > 0) f.lift = half * air_.lift / f.A * (f.s * f.speed * f.area - f.s * f.s / f.speed * f.u);
+  if (f.size > 0 && f.speed > 0)
+    f.lift = half * air_.lift / f.size * (f.s * f.speed * f.area - f.s * f.s / f.speed * f.u);
   return f;
 }
 
@@ -78,36 +77,30 @@ void Wind::add_force(const State& state, VectorRef f) const {
 void Wind::add_tangent(const State& state, double dq, double dv, Assembler& tangent) const {
   const Vector3 wind = field_.at(state.time);
   const double share = 0.25 * course_.share(state), half = 0.5 * air_.density;
-  const bool whole = tangent.keeps_unsymmetric();
   for (std::size_t e = 0; e < faces_.size(); ++e) {
     const auto f = face(faces_[e], state, wind);
-    if (!(f.A > 0 && f.speed > 0)) continue;
+    if (!(f.size > 0 && f.speed > 0)) continue;
     const Vector3 &u = f.u, &a = f.area;
-    const Vector3 along_u = u / f.speed, normal = a / f.A;
+    const Vector3 along_u = u / f.speed, normal = a / f.size;
     const double e2 = along_face * along_face;
     // of r by u and by a
-    const Vector3 r_u = (f.s * a + e2 * f.A * f.A * u) / f.r, r_a = (f.s * u + e2 * f.speed * f.speed * a) / f.r;
+    const Vector3 r_u = (f.s * a + e2 * f.size * f.size * u) / f.r, r_a = (f.s * u + e2 * f.speed * f.speed * a) / f.r;
     Matrix3 by_u = half * air_.drag * (f.r * Matrix3::Identity() + u * r_u.transpose());
     Matrix3 by_a = half * air_.drag * u * r_a.transpose();
     const double lift = half * air_.lift;
     by_u += lift * (f.speed * normal * a.transpose() + f.s * normal * along_u.transpose() -
-                    2 * f.s / (f.A * f.speed) * u * a.transpose() -
-                    f.s * f.s / (f.A * f.speed) * (Matrix3::Identity() - along_u * along_u.transpose()));
-    by_a +=
-        lift *
-        (f.speed / f.A * a * u.transpose() + f.s * f.speed / f.A * (Matrix3::Identity() - normal * normal.transpose()) -
-         2 * f.s / (f.A * f.speed) * u * u.transpose() + f.s * f.s / (f.A * f.A * f.speed) * u * normal.transpose());
+                    2 * f.s / (f.size * f.speed) * u * a.transpose() -
+                    f.s * f.s / (f.size * f.speed) * (Matrix3::Identity() - along_u * along_u.transpose()));
+    by_a += lift * (f.speed / f.size * a * u.transpose() +
+                    f.s * f.speed / f.size * (Matrix3::Identity() - normal * normal.transpose()) -
+                    2 * f.s / (f.size * f.speed) * u * u.transpose() +
+                    f.s * f.s / (f.size * f.size * f.speed) * u * normal.transpose());
     const Matrix3 by_velocity = -0.25 * dv * share * by_u;
-    const Matrix3 by_first = -0.5 * dq * share * by_a * cross_matrix(f.d2);
-    const Matrix3 by_second = 0.5 * dq * share * by_a * cross_matrix(f.d1);
-    // every node carries the same force, so block (p, q) depends on q alone
-    const std::array<Matrix3, 4> by_node{by_velocity - by_first, by_velocity - by_second, by_velocity + by_first,
-                                         by_velocity + by_second};
-    for (int q = 0; q < 4; ++q) {
-      const auto& column = by_node[static_cast<std::size_t>(q)];
-      tangent.add_diagonal(e, q, whole ? column : Matrix3(0.5 * (column + column.transpose())));
-      for (int p = 0; p < q; ++p) tangent.add_general_pair(e, p, q, column, by_node[static_cast<std::size_t>(p)]);
-    }
+    const Matrix3 by_first = -0.5 * dq * share * by_a * cross_matrix(f.diagonals.second);
+    const Matrix3 by_second = 0.5 * dq * share * by_a * cross_matrix(f.diagonals.first);
+    auto by_node = by_nodes(by_first, by_second);
+    for (auto& block : by_node) block += by_velocity;
+    add_shared_tangent(by_node, e, tangent);
   }
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include "sundrape/io/key_table.hpp"
 
 namespace sundrape {
@@ -8,7 +10,9 @@ namespace sundrape {
 [[nodiscard]] std::vector<Section> cloth_keys();
 [[nodiscard]] std::vector<Section> material_keys();
 [[nodiscard]] std::vector<Section> shell_keys();
-[[nodiscard]] std::vector<Section> scene_keys();
+[[nodiscard]] std::vector<Section> support_keys();
+[[nodiscard]] std::vector<Section> load_keys();
+[[nodiscard]] std::vector<Section> contact_keys();
 [[nodiscard]] std::vector<Section> analysis_keys();
 
 /// All of study_key_table().
@@ -42,6 +46,43 @@ inline Key mesh_units() {
           .kinds = {"mesh"},
           .doc = "Unit of the file's coordinates."};
 }
+
+inline Key with_default(Key key, std::string value) {
+  key.default_value = std::move(value);
+  return key;
+}
+
+inline Key required(Key key) {
+  key.required = true;
+  return key;
+}
+
+inline Key only_for(std::vector<std::string> kinds, Key key) {
+  key.kinds = std::move(kinds);
+  return key;
+}
+
+inline Key nodes(std::vector<std::string> kinds = {}) {
+  return {
+      .name = "nodes", .type = KeyType::selector, .required = true, .kinds = std::move(kinds), .doc = "Which nodes."};
+}
+
+inline Key length(std::string name, std::string doc) {
+  return {.name = std::move(name), .unit = "m", .range = positive(), .required = true, .doc = std::move(doc)};
+}
+
+inline Key stages(const std::string& what) {
+  return {.name = "stages",
+          .type = KeyType::series,
+          .entries = 20,
+          .default_value = "1",
+          .doc = fmt::format("How much of {} there is at the end of each stage of `analysis = \"arc-length\"`, as a "
+                             "share; after the last one it stays. Other analyses take the last.",
+                             what)};
+}
+
+/// Where a body is carried to, and when: of a gripper, or of an obstacle.
+[[nodiscard]] std::vector<Key> path_keys();
 
 }  // namespace keys
 }  // namespace sundrape

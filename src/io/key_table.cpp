@@ -36,7 +36,8 @@ std::vector<std::string> Section::names(std::string_view kind) const {
 const std::vector<Section>& key_table() {
   static const std::vector<Section> table = [] {
     std::vector<Section> all;
-    for (const auto& part : {top_keys(), cloth_keys(), material_keys(), shell_keys(), scene_keys(), analysis_keys()})
+    for (const auto& part : {top_keys(), cloth_keys(), material_keys(), shell_keys(), support_keys(), load_keys(),
+                             contact_keys(), analysis_keys()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

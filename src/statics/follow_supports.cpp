@@ -86,22 +86,21 @@ FollowResult follow_supports(const System& system, LinearSolver& solver, const F
       step = shortened(system, options, q, result.time, step, cautious * largest_move);
     }
     Vector tried = q;
+    const auto goal = [&] { return step == remaining ? to : result.time + step; };  // rounding must not miss the end
     const auto predict = [&] {
       tried = q;
-      equations.move(tried, step * rate, result.time + step);
+      equations.move(tried, step * rate, goal());
     };
     predict();
     for (int halvings = 0; halvings < most_halvings && passes_through(system, q, tried, result.time); ++halvings) {
       step *= 0.5;
       predict();
     }
-    const bool last = step == remaining;
 
     auto relaxation = options.relaxation;
-    relaxation.load_factor = last ? to : result.time + step;
+    relaxation.load_factor = goal();
     relaxation.stage = statics_by_time;
-    if (!last) relaxation.tolerance = std::max(options.loose_tolerance, relaxation.tolerance);
-    if (last) equations.move(tried, Vector::Zero(rate.size()), to);
+    if (goal() < to) relaxation.tolerance = std::max(options.loose_tolerance, relaxation.tolerance);
     const auto found = relax(system, solver, relaxation, tried, observer);
     result.relaxation = after(result.relaxation, found);
     ++result.relaxation.factorizations;  // of the prediction

@@ -110,6 +110,8 @@ def set_options(sets):
 
 
 class CommandLineTest(unittest.TestCase):
+    timeout = 600  # of a run [s]
+
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="sundrape-")
         self.addCleanup(scratch.cleanup)
@@ -122,9 +124,10 @@ class CommandLineTest(unittest.TestCase):
     def command(self, *arguments):
         return [EXECUTABLE, *map(str, arguments)]
 
-    def sundrape(self, *arguments, timeout=600):
+    def sundrape(self, *arguments, timeout=None):
         """Runs it in the scratch folder, where relative names mean the test's own files."""
-        return subprocess.run(self.command(*arguments), cwd=self.folder, capture_output=True, text=True, timeout=timeout)
+        return subprocess.run(self.command(*arguments), cwd=self.folder, capture_output=True, text=True,
+                              timeout=timeout or self.timeout)
 
     def start(self, *arguments):
         started = subprocess.Popen(self.command(*arguments), cwd=self.folder, stdout=subprocess.PIPE,

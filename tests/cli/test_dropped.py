@@ -1,14 +1,10 @@
 """Cases in which a sheet ends in layers: folded in four, dropped on a ball and on a mesh; on coarse meshes, to be fast."""
-import json
-import pathlib
 import unittest
 
 import h5py
 import numpy as np
 
-from command_line import CommandLineTest
-
-CASES = pathlib.Path(__file__).resolve().parents[2] / "cases"
+from command_line import CASES, CommandLineTest
 
 
 def layers_over(position, quads, place):
@@ -24,14 +20,13 @@ def layers_over(position, quads, place):
 class Dropped(CommandLineTest):
     def run_on(self, case, cells):
         """The result's file, after checking what holds of every such run."""
-        self.done("run", CASES / f"{case}.toml", "-o", "out.h5", "--quiet", "--summary", "out.json", "--set", f"cloth.cells=[{cells}, {cells}]")
-        self.summary = json.loads((self.folder / "out.json").read_text())
-        with h5py.File(self.folder / "out.h5") as result:
+        out, self.summary = self.run_case(CASES / f"{case}.toml", f"cloth.cells=[{cells}, {cells}]")
+        with h5py.File(out) as result:
             self.assertEqual(result["frames/crossings"][:].sum(), 0)
             energy = {name: series[:] for name, series in result["frames/energy"].items()}
         # nothing comes from nothing, to 1 % of what was turned into heat
         self.assertGreater(energy["method_dissipated"].min(), -0.01 * energy["dissipated"][-1])
-        return self.folder / "out.h5"
+        return out
 
     def test_a_square_folded_in_four_has_four_layers(self):
         with h5py.File(self.run_on("fold_in_four", 20)) as result:

@@ -1,21 +1,18 @@
 """Twenty sheets that fall from random poses onto each other and themselves: minutes a heap, so not a fast test."""
-import json
-import pathlib
 import unittest
 
 import h5py
-from command_line import CommandLineTest
-from heap_case import heap_case
 
-CASE = pathlib.Path(__file__).resolve().parents[2] / "cases" / "heap.toml"
+from command_line import CASES, CommandLineTest
+from heap_case import heap_case
 
 
 class Heap(CommandLineTest):
+    timeout = 1800
+
     def fall(self, seed):
-        case = self.write("heap.toml", heap_case(20, seed))
-        done = self.sundrape("run", case, "-o", "out.h5", "--quiet", "--summary", "out.json", timeout=1800)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with h5py.File(self.folder / "out.h5") as result:
+        out, summary = self.run_case(self.write("heap.toml", heap_case(20, seed)))
+        with h5py.File(out) as result:
             energy = {name: series[:] for name, series in result["frames/energy"].items()}
             self.assertEqual(result["frames/crossings"][:].sum(), 0)
             self.assertEqual(len(result["frames/crossings"]), 101)
@@ -28,11 +25,11 @@ class Heap(CommandLineTest):
         self.assertGreater(energy["method_dissipated"].min(), -0.01 * turned_over)
         # and it comes to rest
         self.assertLess(energy["kinetic"][-1], 1e-6 * turned_over)
-        print(f"seed {seed}: {json.loads((self.folder / 'out.json').read_text())['cpu_seconds']:.0f} s of CPU,"
+        print(f"seed {seed}: {summary['cpu_seconds']:.0f} s of CPU,"
               f" the method lost {energy['method_dissipated'][-1] / turned_over:.2%} of the energy turned over")
 
     def test_the_case_is_that_of_the_first_seed(self):
-        self.assertEqual(CASE.read_text(), heap_case(20, 1))
+        self.assertEqual((CASES / "heap.toml").read_text(), heap_case(20, 1))
 
     def test_first_seed(self):
         self.fall(1)
