@@ -67,11 +67,7 @@ struct ClothContact::Contact {
 };
 
 ClothContact::ClothContact(ClothPairs pairs, const ContactLaw& law, ClothContactOptions options)
-    : pairs_(std::move(pairs)),
-      law_(law),
-      options_(options),
-      mean_edge_(0),
-      margin_(least_margin * pairs_.largest_thickness()) {
+    : pairs_(std::move(pairs)), law_(law), options_(options), margin_(least_margin * pairs_.largest_thickness()) {
   for (const auto& edge : surface().edges) mean_edge_ += edge.length / static_cast<double>(surface().edges.size());
   if (!(pairs_.smallest_thickness() > law_.smoothing()))
     throw std::invalid_argument("cloth must be thicker than the distance over which contact sets in");
@@ -218,11 +214,15 @@ void ClothContact::add_tangent(const State& state, double dq, double dv, Assembl
   const bool whole = tangent.keeps_unsymmetric();
   visit(state, [&](const Contact& contact) {
     if (contact.element < 0) throw std::logic_error("cloth contact has not adapted to the state");
-    const auto& [pair, element, x, s, n, crossing, push] = contact;
+    const auto& pair = contact.pair;
+    const auto& s = contact.separation;
+    const auto& crossing = contact.crossing;
+    const Vector3& n = contact.normal;
+    const double push = contact.push;
     const double d = s.distance, rest = rest_distance(pair);
     const auto& w = s.weights;
     const std::size_t points = points_of(pair.shapes);
-    const SeparationHessian turning(s, x);
+    const SeparationHessian turning(s, contact.x);
     const double bend = push / s.distance;                                          // of the distance's own curvature
     const double along = bend + crossing.factor * pair.area * law_.slope(d, rest);  // of n nᵀ
     const Matrix3 nn = n * n.transpose();
@@ -241,10 +241,10 @@ void ClothContact::add_tangent(const State& state, double dq, double dv, Assembl
       const auto v = pair.at(state.v);
       friction.emplace(s, n, v, options_.friction, push, options_.friction_law, options_.friction_matrix);
       if (whole)
-        friction->prepare_by_place(x, v, turning, crossing.factor * pair.area * law_.slope(d, rest),
+        friction->prepare_by_place(contact.x, v, turning, crossing.factor * pair.area * law_.slope(d, rest),
                                    pair.area * law_.pressure(d, rest), crossing.gradient);
     }
-    const auto e = static_cast<std::size_t>(element);
+    const auto e = static_cast<std::size_t>(contact.element);
     for (std::size_t k = 0; k < points; ++k)
       for (std::size_t l = 0; l <= k; ++l) {
         Matrix3 block = dq * conservative(l, k);
@@ -288,7 +288,7 @@ bool ClothContact::settles(const State& before, const State& after) const {
   const double nearer = 2 * require_candidates(after.q);
   return std::ranges::all_of(candidates_, [&](const Candidate& candidate) {
     const auto& pair = candidate.pair;
-    const double barrier = law_.barrier_begin(rest_distance(pair));
+    const double barrier = ClothLaw::barrier_begin(rest_distance(pair));
     if (candidate.distance - nearer > barrier || !may_be_within(barrier, candidate, after.q)) return true;
     const double distance = separation(pair.shapes, pair.at(after.q)).distance;
     if (distance >= barrier) return true;

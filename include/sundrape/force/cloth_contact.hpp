@@ -73,8 +73,8 @@ class ClothContact final : public ForceTerm {
   void search(const ConstVectorRef& q, double margin) const;
   /// Sees to candidates for a state; how far nodes have moved since these were found, at most [m].
   double require_candidates(const ConstVectorRef& q) const;
-  /// Whether a candidate can have come nearer than `distance` since it was found.
-  [[nodiscard]] bool may_be_within(double distance, const Candidate& candidate, const ConstVectorRef& q) const;
+  /// Whether a candidate can have come nearer than `near` since it was found.
+  [[nodiscard]] bool may_be_within(double near, const Candidate& candidate, const ConstVectorRef& q) const;
   void list_elements() const;
   /// Whether a pair presses, or soon may.
   [[nodiscard]] bool couples(const ClothPair& pair, const ConstVectorRef& q) const;
@@ -87,7 +87,7 @@ class ClothContact final : public ForceTerm {
   ClothPairs pairs_;
   ClothLaw law_;
   ClothContactOptions options_;
-  double mean_edge_;  // at rest [m]
+  double mean_edge_ = 0;  // at rest [m]
 
   // What is near what: a cache.
   mutable std::vector<Candidate> candidates_;
