@@ -7,26 +7,36 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "sundrape/mesh/edges.hpp"
+
 namespace sundrape {
 namespace {
 
-/// A side of a triangle, the lower of its nodes first.
-struct Side {
-  int i, j, triangle;
-};
-
-std::vector<Side> sorted_sides(const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (int t = 0; const auto& triangle : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [i, j] = std::minmax({triangle[k], triangle[(k + 1) % 3]});
-      sides.push_back({i, j, t});
+/// The sides of quads and the diagonals that cut them, by ascending (i, j), with the triangles at them.
+std::vector<SheetSurface::Edge> sides_and_diagonals(const QuadMesh& mesh) {
+  const auto table = edge_table(mesh);
+  std::vector<SheetSurface::Edge> edges;
+  edges.reserve(table.edges.size() + mesh.quads.size());
+  for (const auto& side : table.edges) edges.push_back({.i = side.i, .j = side.j});
+  for (int first = 0; const auto& sides : table.quad_edge) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      auto& [here, beyond] = edges[static_cast<std::size_t>(sides[k])].triangles;
+      (here < 0 ? here : beyond) = k < 2 ? first : first + 1;
     }
-    ++t;
+    first += 2;
   }
-  std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.i, s.j, s.triangle); });
-  return sides;
+  for (int first = 0; const auto& quad : mesh.quads) {
+    const auto [i, j] = std::minmax({quad[0], quad[2]});
+    edges.push_back({.i = i, .j = j, .triangles = {first, first + 1}});
+    first += 2;
+  }
+  const auto ends = [](const SheetSurface::Edge& e) { return std::pair(e.i, e.j); };
+  std::ranges::sort(edges, {}, ends);
+  // a diagonal that is a side, or a diagonal, of another quad as well
+  if (const auto twice = std::ranges::adjacent_find(edges, {}, ends); twice != edges.end())
+    throw std::invalid_argument(
+        fmt::format("more than two quads share the edge between nodes {} and {}", twice->i, twice->j));
+  return edges;
 }
 
 }  // namespace
@@ -51,19 +61,12 @@ SheetSurface::SheetSurface(const QuadMesh& mesh)
     }
     ++t;
   }
-  const auto length_between = [&](int i, int j) {
-    return (mesh.reference[static_cast<std::size_t>(i)] - mesh.reference[static_cast<std::size_t>(j)]).norm();
-  };
-  for (const auto& side : sorted_sides(triangles)) {
-    if (edges.empty() || edges.back().i != side.i || edges.back().j != side.j)
-      edges.push_back(
-          {.i = side.i, .j = side.j, .triangles = {side.triangle, -1}, .length = length_between(side.i, side.j)});
-    else if (edges.back().boundary())
-      edges.back().triangles[1] = side.triangle;
-    else
-      throw std::invalid_argument(
-          fmt::format("more than two quads share the edge between nodes {} and {}", side.i, side.j));
-    edges.back().area += thirds[static_cast<std::size_t>(side.triangle)];
+  edges = sides_and_diagonals(mesh);
+  for (auto& edge : edges) {
+    edge.length =
+        (mesh.reference[static_cast<std::size_t>(edge.i)] - mesh.reference[static_cast<std::size_t>(edge.j)]).norm();
+    for (const int t : edge.triangles)
+      if (t >= 0) edge.area += thirds[static_cast<std::size_t>(t)];
   }
   for (const auto& edge : edges)
     if (edge.boundary())
