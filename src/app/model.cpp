@@ -120,16 +120,16 @@ void add_drag(const Case& c, const CaseModel& model, Sheet& sheet) {
 }
 
 /// Stiffness of contact [N/m³], unless the case says so.
-double contact_stiffness(const Case& c, const CaseModel& model) {
+double contact_stiffness(const Case& c, const Cloth& cloth, double area_weight) {
   // finer nets spread a load over several points
   double bending = std::numeric_limits<double>::infinity();
   for (const auto& piece : c.pieces)
     bending = std::min(bending, std::max(piece.fabric.warp_bending, piece.fabric.weft_bending));
-  const double part_of_bending_length = 0.125 * std::cbrt(bending / model.area_weight);
+  const double part_of_bending_length = 0.125 * std::cbrt(bending / area_weight);
   return c.contact.stiffness.value_or(suggested_stiffness(
-      {.weight_per_area = model.area_weight,
-       .diagonal = model.diagonal,
-       .spread = std::max(mean_edge_length(model.mesh) / c.contact.subdivision, part_of_bending_length)},
+      {.weight_per_area = area_weight,
+       .diagonal = cloth.diagonal,
+       .spread = std::max(mean_edge_length(cloth.mesh) / c.contact.subdivision, part_of_bending_length)},
       c.contact.penetration));
 }
 
@@ -144,12 +144,12 @@ std::vector<double> thicknesses(const Case& c, const CaseModel& model) {
   return of_nodes;
 }
 
-void add_cloth_contact(const Case& c, CaseModel& model, Terms& terms) {
+void add_cloth_contact(const Case& c, const Cloth& cloth, CaseModel& model, Terms& terms) {
   if (!c.contact.self) return;
   constexpr double not_neighbours = 2;  // thicknesses: a fold as sharp as it can be, π/2 along the sheet, is none
   auto term = std::make_unique<ClothContact>(
       ClothPairs(model.mesh, thicknesses(c, model), not_neighbours),
-      ContactLaw(contact_stiffness(c, model), c.contact.smoothing),
+      ContactLaw(contact_stiffness(c, cloth, model.area_weight), c.contact.smoothing),
       ClothContactOptions{.friction = c.analysis == Analysis::dynamics ? c.contact.friction : 0,
                           .friction_law = FrictionLaw(c.contact.friction_speed)});
   model.cloth_contact = term.get();
@@ -178,7 +178,7 @@ void require_untangled(const Case& c, const CaseModel& model) {
                   found.size(), pairs, found.size() > most_named ? ", ..." : "", place.x(), place.y(), place.z()));
 }
 
-void add_contact(const Case& c, CaseModel& model, Terms& terms) {
+void add_contact(const Case& c, const Cloth& cloth, CaseModel& model, Terms& terms) {
   if (c.obstacles.empty()) return;
   std::vector<ContactBody> bodies;
   for (const auto& obstacle : c.obstacles) {
@@ -187,9 +187,10 @@ void add_contact(const Case& c, CaseModel& model, Terms& terms) {
     bodies.push_back(std::move(built.body));
     model.obstacles.push_back(std::move(built.record));
   }
-  auto term = std::make_unique<ObstacleContact>(std::move(bodies), contact_points(model.mesh, c.contact.subdivision),
-                                                ContactLaw(contact_stiffness(c, model), c.contact.smoothing),
-                                                FrictionLaw(c.contact.friction_speed));
+  auto term =
+      std::make_unique<ObstacleContact>(std::move(bodies), contact_points(model.mesh, c.contact.subdivision),
+                                        ContactLaw(contact_stiffness(c, cloth, model.area_weight), c.contact.smoothing),
+                                        FrictionLaw(c.contact.friction_speed));
   model.contact = term.get();
   terms.push_back(std::move(term));
 }
@@ -266,7 +267,6 @@ CaseModel build_model(const Case& c) {
   model.mesh = cloth.mesh;
   model.pieces = cloth.pieces;
   model.size = cloth.size;
-  model.diagonal = cloth.diagonal;
   model.placement = cloth.placement;
   const auto threads = find_threads(model.mesh);
   const SupportBuilder built(c, model, placed);
@@ -290,9 +290,9 @@ CaseModel build_model(const Case& c) {
   }
   add_loads(c, model, threads, placed, sheet);
   add_drag(c, model, sheet);
-  add_contact(c, model, sheet.terms);
+  add_contact(c, cloth, model, sheet.terms);
   model.surface = SheetSurface(model.mesh);
-  add_cloth_contact(c, model, sheet.terms);
+  add_cloth_contact(c, cloth, model, sheet.terms);
 
   const auto earlier = c.sheet().cloth.start ? start_of(*c.sheet().cloth.start, model.mesh) : ShapeAtRest{placed, {}};
   auto start = c.sheet().cloth.start ? wavy(model.mesh, earlier.positions, c.sheet().cloth.waviness_amplitude,

@@ -59,7 +59,6 @@ struct CaseModel {
   std::vector<ObstacleRecord> obstacles;
   bool has_inertia = false;  // dynamics: what supports carry has to be accelerated
   double size = 0;           // longest side of the rest shape's bounding box, of several that of the largest [m]
-  double diagonal = 0;       // of the largest of these boxes [m]
   double gravity = 0;        // |acceleration| [m/s²]; 9.80665 where there is no gravity
   double weight = 0;         // mass times |gravity load| [N]
   double area_weight = 0;    // of the fabric under `gravity` [N/m²]
