@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "sundrape/mesh/builders.hpp"
-#include "sundrape/mesh/threads.hpp"
 
 namespace sundrape {
 namespace {
@@ -44,20 +43,6 @@ TEST(Joined, PiecesSayWhereEachStands) {
   EXPECT_EQ(lining.nodes(), 16);
   ASSERT_EQ(lining.quads.size(), 1U);
   EXPECT_EQ(lining.quads[0][0], 12);
-}
-
-TEST(Joined, ThreadsOfAPieceAreThoseOfItsSheet) {
-  const auto whole = joined(sheets, names);
-  const auto all = find_threads(whole), own = find_threads(sheets[1]), part = threads_between(all, 12, 16);
-  EXPECT_EQ(all.segments.size(), find_threads(sheets[0]).segments.size() + own.segments.size());
-  ASSERT_EQ(part.segments.size(), own.segments.size());
-  EXPECT_EQ(part.bends.size(), own.bends.size());
-  for (std::size_t k = 0; k < own.segments.size(); ++k) {
-    EXPECT_EQ(part.segments[k].i, own.segments[k].i + 12);
-    EXPECT_EQ(part.segments[k].j, own.segments[k].j + 12);
-    EXPECT_EQ(part.segments[k].width, own.segments[k].width);
-    EXPECT_EQ(part.segments[k].warp, own.segments[k].warp);
-  }
 }
 
 }  // namespace

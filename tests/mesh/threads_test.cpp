@@ -1,6 +1,7 @@
 #include "sundrape/mesh/threads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sundrape/mesh/builders.hpp"
+#include "sundrape/mesh/joined.hpp"
 
 namespace sundrape {
 namespace {
@@ -184,6 +186,44 @@ TEST(Threads, PartsThatHangTogetherAtOneNodeAreRefused) {
   for (const auto& x : mesh.reference) mesh.material.emplace_back(x.head<2>());
   mesh.quads = {{0, 1, 2, 3}, {2, 4, 5, 6}};
   EXPECT_THROW((void)find_threads(mesh), std::invalid_argument);
+}
+
+TEST(Threads, ThoseOfAPieceAreThoseOfItsSheet) {
+  const std::array sheets{rectangle(0.3, 0.2, 3, 2), rectangle(0.2, 0.2, 2, 2)};  // 12 nodes, 9 nodes
+  const auto all = find_threads(joined(sheets, std::array<std::string, 2>{"top", "lining"}));
+  EXPECT_EQ(all.segments.size(), find_threads(sheets[0]).segments.size() + find_threads(sheets[1]).segments.size());
+  for (int first = 0; const auto& sheet : sheets) {
+    const int last = first + sheet.nodes();
+    const auto own = find_threads(sheet), part = threads_between(all, first, last);
+    ASSERT_EQ(part.segments.size(), own.segments.size());
+    for (std::size_t k = 0; k < own.segments.size(); ++k) {
+      EXPECT_EQ(part.segments[k].i, own.segments[k].i + first);
+      EXPECT_EQ(part.segments[k].j, own.segments[k].j + first);
+      EXPECT_EQ(part.segments[k].width, own.segments[k].width);
+      EXPECT_EQ(part.segments[k].warp, own.segments[k].warp);
+    }
+    ASSERT_EQ(part.bends.size(), own.bends.size());
+    for (std::size_t k = 0; k < own.bends.size(); ++k) {
+      EXPECT_EQ(part.bends[k].previous, own.bends[k].previous + first);
+      EXPECT_EQ(part.bends[k].centre, own.bends[k].centre + first);
+      EXPECT_EQ(part.bends[k].next, own.bends[k].next + first);
+    }
+    for (int node = 0; node < 21; ++node) {
+      const auto ends = part.ends_at(node);
+      if (node < first || node >= last) {
+        EXPECT_TRUE(ends.empty()) << node;
+        continue;
+      }
+      const auto expected = own.ends_at(node - first);
+      ASSERT_EQ(ends.size(), expected.size()) << node;
+      for (std::size_t k = 0; k < ends.size(); ++k) {
+        EXPECT_EQ(ends[k].neighbour, expected[k].neighbour + first);
+        EXPECT_EQ(ends[k].through, expected[k].through < 0 ? -1 : expected[k].through + first);
+        EXPECT_EQ(ends[k].segment, expected[k].segment);  // counted in the part
+      }
+    }
+    first = last;
+  }
 }
 
 }  // namespace
