@@ -15,7 +15,12 @@ import numpy as np
 from .errors import BAD_USE, PostprocError
 
 HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
-FRAME_SERIES = ("time", "load_factor", "position", "residual", "penetration")
+NODAL_SERIES = ("position", "velocity", "contact_force", "director", "energy_density")
+FRAME_SERIES = (
+    *("time", "load_factor", *NODAL_SERIES),
+    *("stage", "residual", "negative_pivots", "penetration", "crossings", "contact_force_sum"),
+)
+FRAME_GROUPS = ("energy", "reaction", "reaction_moment", "obstacle_force", "element")
 STATIC_ANALYSES = ("relaxation", "arc-length")
 
 
@@ -59,13 +64,20 @@ class Result:
     quads: np.ndarray  # (E, 4) node indices
     energies: Mapping[str, np.ndarray]  # (F,) each [J]
     residual: np.ndarray | None  # (F,) |out-of-balance force| / |external force| [1]
-    penetration: np.ndarray | None  # (F,) deepest, into an obstacle [m]
+    penetration: np.ndarray | None  # (F,) deepest, into an obstacle or of cloth into cloth [m]
     steps: Mapping[str, np.ndarray]  # (S,) each
     probes: Mapping[str, Probe]
     obstacles: Mapping[str, Obstacle]
     statistics: Mapping[str, Any]
     units: Mapping[str, str]  # by dataset, e.g. "frames/time" -> "s"
     case: Mapping[str, Any] = field(default_factory=dict)  # the TOML as run, parsed; empty if it cannot be
+    velocity: np.ndarray | None = None  # (F, N, 3) [m/s]
+    contact_force: np.ndarray | None = None  # (F, N, 3) on each node [N]
+    director: np.ndarray | None = None  # (F, N, 3), of a shell
+    energy_density: np.ndarray | None = None  # (F, N) stored elastic energy over area [J/m²]
+    frames: Mapping[str, np.ndarray] = field(default_factory=dict)  # (F, ...) the rest: "crossings", "reaction/left", ...
+    sets: Mapping[str, np.ndarray] = field(default_factory=dict)  # nodes of each named set
+    warnings: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
@@ -83,6 +95,11 @@ class Result:
     def status(self) -> str:
         """running (also what a kill leaves behind) | done | failed | interrupted"""
         return str(self.attributes.get("status", "running"))
+
+    @property
+    def message(self) -> str:
+        """Why it failed or stopped; empty otherwise."""
+        return str(self.attributes.get("message") or "")
 
     @property
     def is_static(self) -> bool:
@@ -140,7 +157,8 @@ def _read(file: h5py.File, path: Path) -> Result:
 
     frames = file["frames"]
     series = {name: frames[name] for name in FRAME_SERIES if name in frames}
-    series |= {f"energy/{name}": item for name, item in _datasets(frames.get("energy"))}
+    for group in FRAME_GROUPS:
+        series |= {f"{group}/{name}": item for name, item in _datasets(frames.get(group))}
     count = min(item.shape[0] for item in series.values())
     if count == 0:
         raise PostprocError(f"{path}: no complete frame: the run ended before its first one")
@@ -164,6 +182,10 @@ def _read(file: h5py.File, path: Path) -> Result:
         statistics=_attributes(file["statistics"]) if "statistics" in file else {},
         units=_units(file),
         case=_case(attributes),
+        **{name: cut.get(name) for name in NODAL_SERIES if name != "position"},
+        frames={name: cut[name] for name in cut if name not in NODAL_SERIES and not name.startswith("energy/")},
+        sets={name: item[()].astype(np.int64) for name, item in _datasets(file["mesh"].get("sets"))},
+        warnings=tuple(_plain(text) for text in file["warnings"][()]) if "warnings" in file else (),
     )
 
 

@@ -1,0 +1,66 @@
+"""Arguments that several commands have, and their checks."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import BAD_USE, PostprocError
+
+if TYPE_CHECKING:
+    from ..load import Result
+
+
+def add_result(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("result", type=Path, metavar="RESULT.h5")
+
+
+def add_output(parser: argparse.ArgumentParser, kinds: tuple[str, ...] = (".png",)) -> None:
+    """`-o`, whose name has to end in one of `kinds`, in a folder that is there."""
+
+    def output(text: str) -> Path:
+        path = Path(text)
+        if path.suffix.lower() not in kinds:
+            raise PostprocError(f"{path}: its name must end in {' or '.join(kinds)}", BAD_USE)
+        if not path.resolve().parent.is_dir():
+            raise PostprocError(f"{path}: no such directory: {path.parent}")
+        return path
+
+    parser.add_argument("-o", "--output", type=output, required=True, metavar="FILE" + "|".join(kinds))
+
+
+def add_size(parser: argparse.ArgumentParser, default: tuple[int, int]) -> None:
+    parser.add_argument("--size", type=_size, default=default, metavar="WxH", help="in pixels (default %dx%d)" % default)
+
+
+def add_frame(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--frame", type=int, metavar="K", help="0 is the first, -1 the last (default)")
+
+
+def add_count(parser: argparse.ArgumentParser, default: int) -> None:
+    parser.add_argument("--count", type=_count, default=default, metavar="N", help=f"frames (default {default})")
+
+
+def frame_of(wanted: int | None, result: Result) -> int:
+    """A frame number counted from either end; the last drawable one by default."""
+    count = len(result.time)
+    if wanted is None:
+        return result.last_frame
+    if not -count <= wanted < count:
+        raise PostprocError(f"--frame {wanted}: {result.path} has frames 0 to {count - 1}", BAD_USE)
+    return wanted % count
+
+
+def _size(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d+)x(\d+)", text)
+    if match is None or not all(100 <= int(n) <= 8000 for n in match.groups()):
+        raise argparse.ArgumentTypeError(f"{text!r} is not WIDTHxHEIGHT in pixels, each from 100 to 8000")
+    return int(match[1]), int(match[2])
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or not 1 <= int(text) <= 50:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of frames from 1 to 50")
+    return int(text)
