@@ -253,6 +253,13 @@ Vector CaseModel::directors_of(const ConstVectorRef& all) const {
   return all.tail(3 * static_cast<Eigen::Index>(mesh.nodes())) / director_length;
 }
 
+Vector CaseModel::folded(const Vector& of_points) const {
+  const Eigen::Index nodes = mesh.nodes();
+  Vector of_nodes = of_points.head(nodes);
+  if (has_directors()) of_nodes += of_points.tail(nodes);
+  return of_nodes;
+}
+
 bool is_wavy_at_rest(const Case& c, const PieceCase& piece) {
   return piece.cloth.waviness_at_rest.value_or(c.analysis == Analysis::arc_length);
 }
@@ -276,6 +283,8 @@ CaseModel build_model(const Case& c) {
 
   auto sheet = c.model == Model::particle ? net_sheet(c, cloth, threads, supports) : shell_sheet(c, cloth);
   model.edge_strains = EdgeStrains(model.mesh);
+  const auto areas = tributary_areas(model.mesh);
+  model.node_area = Eigen::Map<const Vector>(areas.data(), std::ssize(areas));
   model.director_length = sheet.director_length;
   model.gauges = std::move(sheet.gauges);
   for (const auto& term : sheet.terms) {

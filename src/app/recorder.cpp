@@ -169,6 +169,7 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
   f.position = model_.of_nodes(all.q);
   f.velocity = model_.of_nodes(all.v);
   f.director = model_.directors_of(all.q);
+  f.energy_density = model_.folded(model_.system->strain_energy(all)).cwiseQuotient(model_.node_area);
   const auto& e = balance.energies;
   f.energies = {.kinetic = e.kinetic,
                 .membrane = e.membrane,

@@ -139,6 +139,19 @@ double sum_over_batches(const Stripes& stripes, const Kernel& kernel) {
   });
 }
 
+/// Adds what kernel(e) gives for `lanes` elements from e on [J], an even share to each of their points `first` … `last`.
+template <std::size_t points, std::size_t numbers, class Kernel>
+void share_among_points(const Stripes& stripes, const ElementTable<points, numbers>& table, std::size_t first,
+                        std::size_t last, const Kernel& kernel, VectorRef of_points) {
+  for_each_batch(stripes, [&](std::size_t e, std::size_t count) {
+    LaneBuffer<1> energies;
+    energies.store(0, kernel(e));
+    for (std::size_t lane = 0; lane < count; ++lane)
+      for (auto p = first; p <= last; ++p)
+        of_points[table.point_of(p, e + lane)] += energies(0, lane) / static_cast<double>(last - first + 1);
+  });
+}
+
 /// Adds to f, for each point p of `count` elements from e on, the buffer's vector p (numbers 3p … 3p + 2).
 template <std::size_t points, std::size_t numbers>
 void scatter_add(const LaneBuffer<3 * points>& buffer, const ElementTable<points, numbers>& table, std::size_t e,

@@ -224,12 +224,23 @@ BendSprings::Edges BendSprings::edges(std::size_t first, ConstVectorRef x) const
   return e;
 }
 
+struct BendSprings::Stored {
+  Batch energy;  // [J]
+};
+
+BendSprings::Stored BendSprings::stored(std::size_t first, ConstVectorRef q) const {
+  const Batch angle = edges(first, q).angle(), turn = angle - load(table_, rest_angle, first);
+  const Batch bending = law_ ? bend_response(*law_, load(table_, length, first), turn).energy : Batch(0.5) * turn * turn;
+  return {load(table_, stiffness, first) * (bending + fold_limit(angle).energy)};
+}
+
 double BendSprings::energy(const State& state) const {
-  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
-    const Batch angle = edges(e, state.q).angle(), turn = angle - load(table_, rest_angle, e);
-    const Batch bending = law_ ? bend_response(*law_, load(table_, length, e), turn).energy : Batch(0.5) * turn * turn;
-    return load(table_, stiffness, e) * (bending + fold_limit(angle).energy);
-  });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch { return stored(e, state.q).energy; });
+}
+
+void BendSprings::add_strain_energy(const State& state, VectorRef of_points) const {
+  share_among_points(  // the hinge is at the centre
+      stripes_, table_, 1, 1, [&](std::size_t e) -> Batch { return stored(e, state.q).energy; }, of_points);
 }
 
 double BendSprings::dissipated_power(const State& state) const {

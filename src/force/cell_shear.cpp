@@ -70,6 +70,8 @@ struct CellShear::Sheared {
   Batch rate;            // dγ/dt [1/s]
   Batch half_per_scale;  // 1/(2 |p₀||q₀|) [1/m²]
   Batch stiffness;       // [J]
+
+  [[nodiscard]] Batch energy() const { return Batch(0.5) * stiffness * strain * strain; }
 };
 
 CellShear::Sheared CellShear::sheared(std::size_t first, const State& state) const {
@@ -99,10 +101,12 @@ CellShear::CellShear(const std::vector<ShearCell>& cells, double relaxation_time
 }
 
 double CellShear::energy(const State& state) const {
-  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
-    const auto s = sheared(e, state);
-    return Batch(0.5) * s.stiffness * s.strain * s.strain;
-  });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch { return sheared(e, state).energy(); });
+}
+
+void CellShear::add_strain_energy(const State& state, VectorRef of_points) const {
+  share_among_points(
+      stripes_, table_, 0, 3, [&](std::size_t e) -> Batch { return sheared(e, state).energy(); }, of_points);
 }
 
 double CellShear::dissipated_power(const State& state) const {

@@ -63,13 +63,19 @@ ClampSprings::Held ClampSprings::held(std::size_t spring, const Turns& turns, co
 double ClampSprings::energy(const State& state) const {
   const auto turns = this->turns(state);
   double sum = 0;
-  for (std::size_t e = 0; e < springs_.size(); ++e) {
-    const auto& s = springs_[e];
-    const auto h = held(e, turns, state);
-    const double angle = HingeAngle(h.direction, h.edge, h.axis).angle;
-    sum += law_ ? s.stiffness * bend_response(*law_, s.length, angle).energy : 0.5 * s.stiffness * angle * angle;
-  }
+  for (std::size_t e = 0; e < springs_.size(); ++e) sum += stored(springs_[e], held(e, turns, state));
   return sum;
+}
+
+void ClampSprings::add_strain_energy(const State& state, VectorRef of_points) const {
+  const auto turns = this->turns(state);
+  for (std::size_t e = 0; e < springs_.size(); ++e)
+    of_points[springs_[e].node] += stored(springs_[e], held(e, turns, state));
+}
+
+double ClampSprings::stored(const ClampSpring& s, const Held& h) const {
+  const double angle = HingeAngle(h.direction, h.edge, h.axis).angle;
+  return law_ ? s.stiffness * bend_response(*law_, s.length, angle).energy : 0.5 * s.stiffness * angle * angle;
 }
 
 double ClampSprings::dissipated_power(const State& state) const {

@@ -15,13 +15,19 @@ DirectorLength::DirectorLength(std::vector<DirectorSpring> springs, double direc
     if (!(s.stiffness > 0)) throw std::invalid_argument("a director has no stiffness");
 }
 
+double DirectorLength::stored(const DirectorSpring& s, const State& state) const {
+  const double strain = 0.5 * (point(state.q, s.point).squaredNorm() / (length_ * length_) - 1);
+  return 0.5 * s.stiffness * strain * strain;
+}
+
 double DirectorLength::energy(const State& state) const {
   double sum = 0;
-  for (const auto& s : springs_) {
-    const double strain = 0.5 * (point(state.q, s.point).squaredNorm() / (length_ * length_) - 1);
-    sum += 0.5 * s.stiffness * strain * strain;
-  }
+  for (const auto& s : springs_) sum += stored(s, state);
   return sum;
+}
+
+void DirectorLength::add_strain_energy(const State& state, VectorRef of_points) const {
+  for (const auto& s : springs_) of_points[s.point] += stored(s, state);
 }
 
 double DirectorLength::dissipated_power(const State& state) const {

@@ -72,6 +72,14 @@ void Shell::add_energies(const State& state, Energies& energies) const {
   energies.bending += sum(&Element::Energy::bending);
 }
 
+void Shell::add_strain_energy(const State& state, VectorRef of_points) const {
+  const auto total = [&](std::size_t e) -> Batch {
+    const auto stored = Element(*this, e, state).energy();
+    return stored.membrane + stored.shear + stored.bending;
+  };
+  share_among_points(stripes_, table_, 0, 3, total, of_points);
+}
+
 double Shell::dissipated_power(const State& state) const {
   if (section_.membrane_damping == 0 && section_.bending_damping == 0) return 0;
   return sum_over_batches(stripes_,

@@ -28,6 +28,9 @@ struct StretchSprings::Stretched {
   Batch stiffness;   // D' k [N/m]
   Batch viscosity;   // β k [N s/m]
   Batch tension;     // D' k Δb + β k d(length)/dt [N]
+
+  /// [J], of springs seen without their damping
+  [[nodiscard]] Batch energy() const { return Batch(0.5) * tension * elongation; }
 };
 
 StretchSprings::Stretched StretchSprings::stretched(std::size_t first, const State& state,
@@ -67,10 +70,12 @@ StretchSprings::StretchSprings(const std::vector<StretchSpring>& springs, Energy
 }
 
 double StretchSprings::energy(const State& state) const {
-  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch {
-    const auto s = stretched(e, state, 0);
-    return Batch(0.5) * s.tension * s.elongation;
-  });
+  return sum_over_batches(stripes_, [&](std::size_t e) -> Batch { return stretched(e, state, 0).energy(); });
+}
+
+void StretchSprings::add_strain_energy(const State& state, VectorRef of_points) const {
+  share_among_points(
+      stripes_, table_, 0, 1, [&](std::size_t e) -> Batch { return stretched(e, state, 0).energy(); }, of_points);
 }
 
 double StretchSprings::dissipated_power(const State& state) const {

@@ -30,6 +30,8 @@ const std::vector<Meaning>& table() {
       {"/frames/velocity", "m/s", "velocity of each node"},
       {"/frames/contact_force", "N", "contact force on each node"},
       {"/frames/director", "1", "director of each node"},
+      {"/frames/energy_density", "J/m^2",
+       "stored energy of membrane, shear and bending over the area at rest, at each node"},
       {"/frames/element/membrane_strain", "1", "membrane strains e11, e22, 2 e12 at the centre of each element"},
       {"/frames/element/membrane_force", "N/m", "membrane forces n11, n22, n12 at the centre of each element"},
       {"/frames/element/shear_strain", "1", "transverse shear strains g1, g2 at the centre of each element"},
@@ -137,6 +139,7 @@ Series frame_series(const ResultHeader& header) {
   for (const auto* const name : {"position", "velocity", "contact_force"})
     columns.push_back(column(fmt::format("/frames/{}", name), {nodes, 3}));
   if (header.director) columns.push_back(column("/frames/director", {nodes, 3}));
+  columns.push_back(column("/frames/energy_density", {nodes}));
   if (header.element_fields)
     for (const auto& [name, components] : layout::element_fields())
       columns.push_back(column("/frames/element/" + std::string(name),

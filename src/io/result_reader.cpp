@@ -60,6 +60,7 @@ Vector ResultReader::nodal(const std::string& path, std::size_t frame) const {
 }
 
 bool ResultReader::has_director() const { return file_.exists("/frames/director"); }
+bool ResultReader::has_energy_density() const { return file_.exists("/frames/energy_density"); }
 
 std::vector<double> ResultReader::per_frame(const std::string& path) const {
   return file_.dataset(path).read_rows<double>(0, frames());

@@ -142,6 +142,7 @@ void ResultWriter::append_frame(const Frame& frame) {
   require_size(frame.velocity, size, "velocity");
   if (frame.contact_force.size() != 0) require_size(frame.contact_force, size, "contact force");
   if (header.director) require_size(frame.director, size, "director");
+  if (frame.energy_density.size() != 0) require_size(frame.energy_density, header.mesh.nodes(), "energy density");
   const auto fields = layout::element_values(frame.elements);
   if (header.element_fields)
     for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -169,6 +170,7 @@ void ResultWriter::append_frame(const Frame& frame) {
   add(entries(frame.velocity));
   add(entries(contact));
   if (header.director) add(entries(frame.director));
+  add(entries(frame.energy_density.size() != 0 ? frame.energy_density : Vector::Zero(header.mesh.nodes())));
   if (header.element_fields)
     for (const auto* const field : fields) add(entries(*field));
   for (const double energy : layout::energy_values(frame.energies)) add(std::span(&energy, 1));

@@ -113,6 +113,12 @@ void System::hold(BlockMatrix& matrix, double value) const {
   for (const auto& [row, component] : unknowns_.held_components()) matrix.hold(row, component, value);
 }
 
+Vector System::strain_energy(const State& all) const {
+  Vector of_points = Vector::Zero(mass_.size());
+  for (const auto& term : terms_) term->add_strain_energy(all, of_points);
+  return of_points;
+}
+
 Energies System::energies(const State& all) const {
   Energies e;
   e.kinetic = kinetic_energy(all);

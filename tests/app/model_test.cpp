@@ -68,6 +68,20 @@ TEST(Model, TakesItsMeshAndItsNodeSetsFromAFileBesideTheCase) {
 /// Both models of a sheet.
 std::vector<std::string> models() { return {"", "model = \"shell\"\n"}; }
 
+TEST(Model, ShareOfTheStrainEnergyAtEachNodeSumsToTheEnergies) {
+  for (const auto& kind : models()) {
+    const auto model = samples::model_of(kind + sheet_case("[[fix]]\nnodes = \"left\"\n"));
+    Vector q = model.initial;
+    for (Eigen::Index i = 0; i < q.size(); ++i) q[i] += 2e-4 * std::sin(7.0 * static_cast<double>(i));
+    const Vector still = Vector::Zero(q.size());
+    const auto energies = model.system->energies({0, q, still});
+    const Vector of_nodes = model.folded(model.system->strain_energy({0, q, still}));
+    const double stored = energies.membrane + energies.shear + energies.bending;
+    EXPECT_NEAR(of_nodes.sum() / stored, 1, 1e-12) << kind;
+    EXPECT_GT(of_nodes.minCoeff(), 0) << kind;
+  }
+}
+
 TEST(Model, ItsSupportCarriesTheWeightOfAHangingSheet) {
   for (const auto& kind : models()) {
     const auto model = samples::model_of(kind + sheet_case(hung));

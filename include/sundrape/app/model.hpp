@@ -42,6 +42,7 @@ struct CaseModel {
   RigidPlacement placement;       // rest shape to initial position
   std::unique_ptr<System> system;
   Vector initial;  // placed and wavy positions, then directors times ℓ, 3P [m]
+  Vector node_area;  // tributary areas at rest, N [m²]
   EdgeStrains edge_strains;
   double director_length = 0;  // ℓ of a shell, whose node i has the director point N + i [m]; 0 of a particle net
   Vector rate_slack;           // how many times larger the errors of rates may be: rows, n; empty: 1
@@ -78,6 +79,8 @@ struct CaseModel {
   [[nodiscard]] Vector of_nodes(const ConstVectorRef& all) const {
     return all.head(3 * static_cast<Eigen::Index>(mesh.nodes()));
   }
+  /// One number a point, those of directors added to their nodes', N.
+  [[nodiscard]] Vector folded(const Vector& of_points) const;
   /// The nodes that a support holds now.
   [[nodiscard]] const std::vector<int>& nodes_of(const ReactionSet& set) const {
     return set.motion ? system->motion(*set.motion).points : set.nodes;

@@ -43,6 +43,7 @@ class BendSprings final : public ForceTerm {
   [[nodiscard]] std::string_view name() const override { return "bend springs"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }
   [[nodiscard]] double energy(const State& state) const override;
+  void add_strain_energy(const State& state, VectorRef of_points) const override;
   [[nodiscard]] double dissipated_power(const State& state) const override;
   void add_force(const State& state, VectorRef f) const override;
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
@@ -58,6 +59,8 @@ class BendSprings final : public ForceTerm {
   enum Number { skew, rest_angle, stiffness, length };
   struct Edges;
   [[nodiscard]] Edges edges(std::size_t first, ConstVectorRef x) const;
+  struct Stored;  // energies of several springs
+  [[nodiscard]] Stored stored(std::size_t first, ConstVectorRef q) const;
   /// Whether a spring lies inside a sheet of straight crossing threads, as most do.
   [[nodiscard]] bool is_plain(std::size_t e) const;
   struct Stencil;

@@ -38,6 +38,7 @@ class ClampSprings final : public ForceTerm {
   [[nodiscard]] std::string_view name() const override { return "clamped edges"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::bending; }
   [[nodiscard]] double energy(const State& state) const override;
+  void add_strain_energy(const State& state, VectorRef of_points) const override;
   [[nodiscard]] double dissipated_power(const State& state) const override;
   [[nodiscard]] double external_power(const State& state) const override;
   void add_force(const State& state, VectorRef f) const override;
@@ -60,6 +61,7 @@ class ClampSprings final : public ForceTerm {
   };
   [[nodiscard]] Turns turns(const State& state) const;
   [[nodiscard]] Held held(std::size_t spring, const Turns& turns, const State& state) const;
+  [[nodiscard]] double stored(const ClampSpring& spring, const Held& held) const;  // [J]
   /// What draws the end of a spring's edge back, −force on `next` [N].
   [[nodiscard]] Vector3 pull(const ClampSpring& spring, const Held& held) const;
 

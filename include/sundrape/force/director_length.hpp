@@ -25,6 +25,7 @@ class DirectorLength final : public ForceTerm {
   [[nodiscard]] std::string_view name() const override { return "director length"; }
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::shear; }
   [[nodiscard]] double energy(const State& state) const override;
+  void add_strain_energy(const State& state, VectorRef of_points) const override;
   [[nodiscard]] double dissipated_power(const State& state) const override;
   void add_force(const State& state, VectorRef f) const override;
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;
@@ -34,6 +35,8 @@ class DirectorLength final : public ForceTerm {
   [[nodiscard]] double largest_error(ConstVectorRef q) const;
 
  private:
+  [[nodiscard]] double stored(const DirectorSpring& spring, const State& state) const;  // [J]
+
   std::vector<DirectorSpring> springs_;
   double length_, relaxation_time_;
 };

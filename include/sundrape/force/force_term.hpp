@@ -38,6 +38,9 @@ class ForceTerm {
   [[nodiscard]] virtual double energy(const State& state) const = 0;
   /// Adds it under its heading; a term with energies of several kinds overrides this.
   virtual void add_energies(const State& state, Energies& energies) const;
+  /// Adds what the cloth stores by its deformation, shared by the points of each element: P numbers [J]. Nothing where
+  /// the term's energy is none of the cloth's.
+  virtual void add_strain_energy(const State& /*state*/, VectorRef /*of_points*/) const {}
   /// Power that the term turns into heat [W], ≥ 0.
   [[nodiscard]] virtual double dissipated_power(const State& /*state*/) const { return 0; }
   /// Power from outside that the term's energy does not account for [W]: follower loads, loads on a ramp.

@@ -30,6 +30,7 @@ class Shell final : public ForceTerm {
   [[nodiscard]] EnergyKind kind() const override { return EnergyKind::membrane; }
   [[nodiscard]] double energy(const State& state) const override;
   void add_energies(const State& state, Energies& energies) const override;
+  void add_strain_energy(const State& state, VectorRef of_points) const override;
   [[nodiscard]] double dissipated_power(const State& state) const override;
   void add_force(const State& state, VectorRef f) const override;
   void add_tangent(const State& state, double dq, double dv, Assembler& tangent) const override;

@@ -44,6 +44,10 @@ class ResultReader {
   [[nodiscard]] bool has_director() const;
   [[nodiscard]] Vector director(std::size_t frame) const { return nodal("/frames/director", frame); }
 
+  [[nodiscard]] bool has_energy_density() const;  // results of older versions have none
+  /// N [J/m²].
+  [[nodiscard]] Vector energy_density(std::size_t frame) const { return nodal("/frames/energy_density", frame); }
+
   /// By name (kinetic, membrane, ...), one value a frame [J].
   [[nodiscard]] std::map<std::string, std::vector<double>> energies() const;
   [[nodiscard]] std::vector<double> residual() const;

@@ -71,6 +71,8 @@ class System {
   void hold(BlockMatrix& matrix, double value) const;
 
   [[nodiscard]] Energies energies(const State& all) const;
+  /// What the cloth stores by its deformation at each point, P [J]: membrane, shear and bending together.
+  [[nodiscard]] Vector strain_energy(const State& all) const;
   [[nodiscard]] double kinetic_energy(const State& all) const;       // [J]
   [[nodiscard]] double held_kinetic_energy(const State& all) const;  // of components that are held and carried [J]
   /// Power that supports put in beyond what changes the kinetic energy of what they hold [W]: −Σ f v of held
