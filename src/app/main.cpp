@@ -2,12 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "sundrape/app/check.hpp"
 #include "sundrape/app/crosscheck.hpp"
 #include "sundrape/app/run.hpp"
 #include "sundrape/app/study_run.hpp"
+#include "sundrape/export/export_result.hpp"
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/compare.hpp"
 #include "sundrape/io/file_error.hpp"
@@ -33,6 +35,7 @@ class CommandLine {
     add_check();
     add_info();
     add_compare();
+    add_export();
     add_study();
     add_crosscheck();
   }
@@ -102,6 +105,37 @@ class CommandLine {
     });
   }
 
+  void add_export() {
+    auto* verb = app_.add_subcommand("export", "Write a result in the format of another program");
+    verb->add_option("RESULT", export_.result, "result file (HDF5)")->required();
+    verb->add_option(
+            "-o,--output", export_.output,
+            fmt::format("file to write; its ending says the format: {}", fmt::join(sundrape::export_formats(), " ")))
+        ->required();
+    verb->add_option("--frames", export_.frames,
+                     "some of the frames, first:end:step as in Python, e.g. ::2, -10: or 5; default: all")
+        ->allow_extra_args(false);
+    verb->add_flag("!--no-obstacles", export_.obstacles, "the cloth alone");
+    verb->add_flag("--quiet", quiet_, "print nothing but errors");
+    verb->callback([this] { status_ = run_export(); });
+  }
+
+  ExitStatus run_export() {
+    try {
+      const auto written = sundrape::export_result(export_);
+      if (quiet_) return ExitStatus::done;
+      std::cout << "wrote " << written.front().string();
+      if (written.size() > 3) std::cout << " to " << written.back().string() << ", " << written.size() << " files";
+      if (written.size() <= 3)
+        for (std::size_t k = 1; k < written.size(); ++k) std::cout << " and " << written[k].string();
+      std::cout << '\n';
+      return ExitStatus::done;
+    } catch (const std::invalid_argument& problem) {
+      fmt::print(stderr, "sundrape export: {}\n", problem.what());
+      return ExitStatus::bad_input;
+    }
+  }
+
   void add_study() {
     auto* verb =
         app_.add_subcommand("study", "Run one case along axes of its keys, and sort where the runs end into drapes");
@@ -141,6 +175,7 @@ class CommandLine {
   sundrape::RunOptions run_;
   sundrape::StudyOptions study_;
   sundrape::CrosscheckOptions crosscheck_;
+  sundrape::ExportOptions export_;
   std::string a_, b_;
   bool json_ = false, quiet_ = false, verbose_ = false;
   ExitStatus status_ = ExitStatus::done;

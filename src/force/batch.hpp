@@ -139,7 +139,8 @@ double sum_over_batches(const Stripes& stripes, const Kernel& kernel) {
   });
 }
 
-/// Adds what kernel(e) gives for `lanes` elements from e on [J], an even share to each of their points `first` … `last`.
+/// Adds what kernel(e) gives for `lanes` elements from e on [J], an even share to each of their points `first` …
+/// `last`.
 template <std::size_t points, std::size_t numbers, class Kernel>
 void share_among_points(const Stripes& stripes, const ElementTable<points, numbers>& table, std::size_t first,
                         std::size_t last, const Kernel& kernel, VectorRef of_points) {

@@ -230,7 +230,8 @@ struct BendSprings::Stored {
 
 BendSprings::Stored BendSprings::stored(std::size_t first, ConstVectorRef q) const {
   const Batch angle = edges(first, q).angle(), turn = angle - load(table_, rest_angle, first);
-  const Batch bending = law_ ? bend_response(*law_, load(table_, length, first), turn).energy : Batch(0.5) * turn * turn;
+  const Batch bending =
+      law_ ? bend_response(*law_, load(table_, length, first), turn).energy : Batch(0.5) * turn * turn;
   return {load(table_, stiffness, first) * (bending + fold_limit(angle).energy)};
 }
 

@@ -58,7 +58,8 @@ Attribute File::attribute(const std::string& object, const std::string& name) co
   const Handle space = require(H5Aget_space(attribute.id()), H5Sclose, name_, attempt);
   const auto kind = H5Tget_class(type.id());
   if (kind == H5T_STRING) return read_text(attribute.id(), type.id(), name_, attempt);
-  if (kind == H5T_INTEGER) {
+  const bool is_list = H5Sget_simple_extent_type(space.id()) != H5S_SCALAR;
+  if (kind == H5T_INTEGER && !is_list) {
     std::int64_t value = 0;
     require(H5Aread(attribute.id(), H5T_NATIVE_INT64, &value), name_, attempt);
     return value;
@@ -66,7 +67,7 @@ Attribute File::attribute(const std::string& object, const std::string& name) co
   std::vector<double> values(
       static_cast<std::size_t>(require(H5Sget_simple_extent_npoints(space.id()), name_, attempt)));
   require(H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, values.data()), name_, attempt);
-  if (H5Sget_simple_extent_type(space.id()) == H5S_SCALAR) return values.front();
+  if (!is_list) return values.front();
   return values;
 }
 
@@ -104,6 +105,10 @@ void File::set_attribute(const std::string& object, const std::string& name, con
     const hsize_t size = list->size();
     const Handle space = require(H5Screate_simple(1, &size, nullptr), H5Sclose, name_, "set up an attribute");
     write_attribute(owner.id(), name, H5T_NATIVE_DOUBLE, space.id(), list->data(), name_);
+  } else if (const auto* const integers = std::get_if<std::vector<std::int64_t>>(&value)) {
+    const hsize_t size = integers->size();
+    const Handle space = require(H5Screate_simple(1, &size, nullptr), H5Sclose, name_, "set up an attribute");
+    write_attribute(owner.id(), name, H5T_NATIVE_INT64, space.id(), integers->data(), name_);
   } else if (const auto* const number = std::get_if<double>(&value)) {
     write_attribute(owner.id(), name, H5T_NATIVE_DOUBLE, scalar.id(), number, name_);
   } else {

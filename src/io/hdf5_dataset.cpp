@@ -33,10 +33,14 @@ Handle element_type(const DatasetSpec& spec, const std::string& file) {
   switch (spec.element) {
     case Element::real64:
       return copy(H5T_NATIVE_DOUBLE);
+    case Element::real32:
+      return copy(H5T_NATIVE_FLOAT);
     case Element::int32:
       return copy(H5T_NATIVE_INT32);
     case Element::int64:
       return copy(H5T_NATIVE_INT64);
+    case Element::uint8:
+      return copy(H5T_NATIVE_UINT8);
     case Element::text:
       break;
   }
@@ -65,7 +69,7 @@ Handle creation_properties(const DatasetSpec& spec, const std::string& file, con
 }  // namespace
 
 std::size_t row_bytes(const DatasetSpec& spec) {
-  constexpr std::array<std::size_t, 3> sizes{8, 4, 8};
+  constexpr std::array<std::size_t, 5> sizes{8, 4, 4, 8, 1};
   const auto element = spec.element == Element::text ? spec.text_length : sizes[static_cast<std::size_t>(spec.element)];
   return element * entries(std::span(spec.shape).subspan(1));
 }

@@ -191,13 +191,29 @@ std::vector<ObstacleRecord> ResultReader::obstacles() const {
     obstacle.name = name;
     obstacle.kind = file_.text_attribute(group, "kind");
     const auto parameters = nlohmann::json::parse(file_.text_attribute(group, "parameters", "{}"), nullptr, false);
-    if (parameters.is_object()) parameters.get_to(obstacle.parameters);
+    for (const auto& [parameter, values] : parameters.items())  // a rounding that is not known is null
+      if (values.is_array() && std::ranges::all_of(values, [](const auto& v) { return v.is_number(); }))
+        values.get_to(obstacle.parameters[parameter]);
     const auto position = std::get<std::vector<double>>(file_.attribute(group, "position"));
     obstacle.position = Eigen::Map<const Vector3>(position.data());
     const auto rotation = std::get<std::vector<double>>(file_.attribute(group, "rotation"));
     obstacle.rotation = Eigen::Map<const Matrix3>(rotation.data()).transpose();  // stored by rows
+    obstacle.moves = file_.exists("/frames/obstacle_position/" + name);
+    if (!file_.exists(group + "/vertices")) continue;
+    obstacle.surface.vertices = vectors(group + "/vertices", file_.dataset(group + "/vertices").rows());
+    const auto corners = file_.dataset(group + "/triangles").read<std::int32_t>();
+    for (std::size_t k = 0; k + 2 < corners.size(); k += 3)
+      obstacle.surface.triangles.push_back({corners[k], corners[k + 1], corners[k + 2]});
   }
   return result;
+}
+
+ObstaclePose ResultReader::obstacle_pose(const std::string& obstacle, std::size_t frame) const {
+  const auto of = [&](const char* what) { return nodal(fmt::format("/frames/obstacle_{}/{}", what, obstacle), frame); };
+  const Vector rotation = of("rotation");
+  return {.position = of("position"),
+          .rotation = Eigen::Map<const Matrix3>(rotation.data()).transpose(),  // stored by rows
+          .force = of("force")};
 }
 
 std::optional<Checkpoint> ResultReader::checkpoint() const {

@@ -14,7 +14,17 @@
 namespace sundrape {
 namespace {
 
-std::string escaped(const std::string& text) {
+/// Frame `frame` of a dataset of F × `items` × 3.
+std::string slab(const XdmfContent& content, const std::string& dataset, std::size_t frame, std::size_t items) {
+  return fmt::format(
+      R"(<DataItem ItemType="HyperSlab" Dimensions="{1} 3"><DataItem Dimensions="3 3" Format="XML">{2} 0 0 1 1 1 1 {1} 3</DataItem>)"
+      R"(<DataItem Dimensions="{3} {1} 3" NumberType="Float" Precision="8" Format="HDF">{0}:/frames/{4}</DataItem></DataItem>)",
+      escaped_xml(content.result_file), items, frame, content.rows, dataset);
+}
+
+}  // namespace
+
+std::string escaped_xml(const std::string& text) {
   std::string result;
   for (const char c : text) switch (c) {
       case '&':
@@ -35,16 +45,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Frame `frame` of a dataset of F × `items` × 3.
-std::string slab(const XdmfContent& content, const std::string& dataset, std::size_t frame, std::size_t items) {
-  return fmt::format(
-      R"(<DataItem ItemType="HyperSlab" Dimensions="{1} 3"><DataItem Dimensions="3 3" Format="XML">{2} 0 0 1 1 1 1 {1} 3</DataItem>)"
-      R"(<DataItem Dimensions="{3} {1} 3" NumberType="Float" Precision="8" Format="HDF">{0}:/frames/{4}</DataItem></DataItem>)",
-      escaped(content.result_file), items, frame, content.rows, dataset);
-}
-
-}  // namespace
-
 std::string xdmf_text(const XdmfContent& content, std::span<const double> frame_values) {
   std::string text =
       "<?xml version=\"1.0\" ?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
@@ -56,7 +56,7 @@ std::string xdmf_text(const XdmfContent& content, std::span<const double> frame_
                    R"(<Topology TopologyType="Quadrilateral" NumberOfElements="{0}"><DataItem Dimensions="{0} 4" )"
                    R"(NumberType="Int" Precision="4" Format="HDF">{1}:/mesh/quads</DataItem></Topology>)"
                    "\n",
-                   content.quads, escaped(content.result_file));
+                   content.quads, escaped_xml(content.result_file));
     fmt::format_to(out, "<Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
                    slab(content, "position", frame, content.nodes));
     const auto vector = [&](const char* name) {

@@ -41,7 +41,7 @@ struct CaseModel {
   std::vector<MeshPiece> pieces;  // of it
   RigidPlacement placement;       // rest shape to initial position
   std::unique_ptr<System> system;
-  Vector initial;  // placed and wavy positions, then directors times ℓ, 3P [m]
+  Vector initial;    // placed and wavy positions, then directors times ℓ, 3P [m]
   Vector node_area;  // tributary areas at rest, N [m²]
   EdgeStrains edge_strains;
   double director_length = 0;  // ℓ of a shell, whose node i has the director point N + i [m]; 0 of a particle net

@@ -41,8 +41,9 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// What one entry of a dataset is: IEEE double, signed integer, or UTF-8 text of a fixed length.
-enum class Element { real64, int32, int64, text };
+/// What one entry of a dataset is: IEEE number, integer (signed, but for single bytes), or UTF-8 text of a fixed
+/// length.
+enum class Element { real64, real32, int32, int64, uint8, text };
 
 struct DatasetSpec {
   Element element = Element::real64;
@@ -55,7 +56,7 @@ struct DatasetSpec {
 /// Bytes of one row of a dataset.
 [[nodiscard]] std::size_t row_bytes(const DatasetSpec& spec);
 
-using Attribute = std::variant<std::int64_t, double, std::string, std::vector<double>>;
+using Attribute = std::variant<std::int64_t, double, std::string, std::vector<double>, std::vector<std::int64_t>>;
 
 /// An open dataset.
 class Dataset {

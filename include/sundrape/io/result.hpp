@@ -97,7 +97,7 @@ struct Frame {
   Vector position, velocity;  // 3N [m], [m/s]
   Vector contact_force;       // 3N, on the cloth [N]; may be empty: zeros
   Vector director;            // 3N, where the header says so
-  Vector energy_density;  // N, what the cloth stores by its deformation over its area [J/m²]; may be empty: zeros
+  Vector energy_density;      // N, what the cloth stores by its deformation over its area [J/m²]; may be empty: zeros
   ElementFields elements;     // where the header says so
   FrameEnergies energies;
   double residual = 0;                  // |out-of-balance force| / |external force|

@@ -71,6 +71,8 @@ class ResultReader {
   [[nodiscard]] std::vector<CriticalRecord> critical_points() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::vector<ObstacleRecord> obstacles() const;
+  /// Where an obstacle that moves is, and the force on the cloth. @throws FileError  no such frame, or it does not move
+  [[nodiscard]] ObstaclePose obstacle_pose(const std::string& obstacle, std::size_t frame) const;
   /// The newest checkpoint that is complete.
   [[nodiscard]] std::optional<Checkpoint> checkpoint() const;
 

@@ -17,6 +17,9 @@ struct XdmfContent {
   bool director = false, element_fields = false;
 };
 
+/// Text as it can stand in XML.
+[[nodiscard]] std::string escaped_xml(const std::string& text);
+
 /// The XDMF 3 text of a result: one grid a frame, whose geometry, velocity and contact force are slabs of the HDF5
 /// file. frame_values: time or load factor of each frame.
 [[nodiscard]] std::string xdmf_text(const XdmfContent& content, std::span<const double> frame_values);
