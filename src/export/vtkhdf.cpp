@@ -30,8 +30,7 @@ class VtkHdf {
   explicit VtkHdf(const std::filesystem::path& path) : file_(hdf5::File::create(path)) {
     file_.create_group("/VTKHDF/Steps");
     file_.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{2, 0});
-    const std::string type = "UnstructuredGrid";
-    file_.set_fixed_text("/VTKHDF", "Type", type, type.size());
+    file_.set_ascii_text("/VTKHDF", "Type", "UnstructuredGrid");  // VTK from 9.2 on refuses UTF-8
   }
 
   hdf5::File& file() { return file_; }

@@ -129,4 +129,12 @@ void File::set_fixed_text(const std::string& object, const std::string& name, co
   write_attribute(owner.id(), name, type.id(), scalar.id(), padded.data(), name_);
 }
 
+void File::set_ascii_text(const std::string& object, const std::string& name, const std::string& text) {
+  const Handle owner = open_object(object);
+  const Handle scalar = require(H5Screate(H5S_SCALAR), H5Sclose, name_, "set up an attribute");
+  const Handle type = text_type(text.size(), name_);
+  require(H5Tset_cset(type.id(), H5T_CSET_ASCII), name_, "set up a text type");
+  write_attribute(owner.id(), name, type.id(), scalar.id(), text.data(), name_);
+}
+
 }  // namespace sundrape::hdf5

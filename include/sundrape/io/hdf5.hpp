@@ -126,6 +126,8 @@ class File {
   void set_attribute(const std::string& object, const std::string& name, const Attribute& value);
   /// Text of a fixed length, which changes in place; cut at a character's boundary where it does not fit.
   void set_fixed_text(const std::string& object, const std::string& name, const std::string& text, std::size_t length);
+  /// Text that says of itself that it is ASCII, for readers that accept nothing else.
+  void set_ascii_text(const std::string& object, const std::string& name, const std::string& text);
 
   void flush();
   /// Asks the disk to keep everything that was written (fdatasync).
