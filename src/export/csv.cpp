@@ -20,6 +20,7 @@ class Table {
   void add(const std::string& name, const std::string& units, const std::vector<Vector3>& values) {
     for (std::size_t i = 0; i < 3; ++i) {
       std::vector<double> component;
+      component.reserve(values.size());
       for (const auto& v : values) component.push_back(v[static_cast<Eigen::Index>(i)]);
       add(fmt::format("{}.{}", name, "xyz"[i]), units, std::move(component));
     }

@@ -87,7 +87,7 @@ class Accessors {
 std::vector<std::uint32_t> triangles_of(const std::vector<std::array<int, 4>>& quads) {
   std::vector<std::uint32_t> corners;
   for (const auto& q : quads)
-    for (const std::size_t k : {0, 1, 2, 0, 2, 3}) corners.push_back(static_cast<std::uint32_t>(q[k]));
+    for (const auto k : {0UL, 1UL, 2UL, 0UL, 2UL, 3UL}) corners.push_back(static_cast<std::uint32_t>(q[k]));
   return corners;
 }
 

@@ -135,6 +135,7 @@ WrittenFiles write_vtkhdf(const ExportScene& scene, const std::filesystem::path&
     out.write("Connectivity", grid.connectivity);
     out.write("Offsets", grid.offsets);
     std::vector<std::uint8_t> types;
+    types.reserve(grid.cells());
     for (const int part : grid.part) types.push_back(part == 0 ? vtk_quad : vtk_triangle);
     out.write("Types", types);
     out.write("CellData/part", grid.part);

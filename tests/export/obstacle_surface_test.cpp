@@ -85,10 +85,7 @@ TEST(ObstacleSurface, EnclosesTheBodysVolumeWithNormalsOutwards) {
 
 TEST(ObstacleSurface, LiesWhereContactHasTheBody) {
   const auto expect_on = [](const ShadedSurface& surface, const Obstacle& body) {
-    for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
-      const auto distance = body.distance(surface.vertices[i]);
-      EXPECT_NEAR(distance.gap, 0, 1e-12);
-    }
+    for (const auto& vertex : surface.vertices) EXPECT_NEAR(body.distance(vertex).gap, 0, 1e-12);
   };
   expect_on(surface_of("sphere", {{"radius", {0.02}}}), SphereObstacle(0.02));
   expect_on(surface_of("capsule", {{"radius", {0.02}}, {"length", {0.05}}}), CapsuleObstacle(0.02, 0.05));
