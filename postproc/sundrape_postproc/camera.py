@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkRenderer
@@ -30,6 +30,14 @@ class View:
     eye: np.ndarray  # (3,) [m]
     target: np.ndarray  # (3,) [m]
     radius: float  # of what is shown [m]
+    middle: np.ndarray  # (3,) of what is shown [m]
+
+    def turned(self, angle: float) -> View:
+        """From a camera that has gone round the middle by `angle` [rad], counter-clockwise from above."""
+        c, s = np.cos(angle), np.sin(angle)
+        turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        eye, target = (self.middle + turn @ (p - self.middle) for p in (self.eye, self.target))
+        return replace(self, eye=eye, target=target)
 
     def apply(self, renderer: vtkRenderer) -> None:
         camera = renderer.GetActiveCamera()
@@ -41,12 +49,20 @@ class View:
         camera.SetClippingRange(max(distance - 6 * self.radius, 0.05 * distance), distance + 12 * self.radius)
 
 
-def three_quarter(cloth: np.ndarray, bodies: Sequence[np.ndarray], aspect: float, free: Room = NO_ROOM) -> View:
-    """Fit the cloth (P, 3) and the near parts of the bodies (Q, 3) [m] into a picture of width over height `aspect`."""
+def three_quarter(
+    cloth: np.ndarray, bodies: Sequence[np.ndarray], aspect: float, free: Room = NO_ROOM, all_round: bool = False
+) -> View:
+    """Fit the cloth (P, 3) and the near parts of the bodies (Q, 3) [m] into a picture of width over height `aspect`.
+
+    `all_round`: from wherever the view is turned to, about the vertical line through `View.middle`.
+    """
     low, high = cloth.min(axis=0), cloth.max(axis=0)
     reach = REACH * max(float((high - low).max()), 1e-9)
     near = [np.clip(b, low - reach, high + reach) for b in bodies]
     points = np.concatenate([cloth, *near])
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    if all_round:
+        points = _revolved(points, middle)
 
     azimuth, elevation = np.radians(AZIMUTH), np.radians(ELEVATION)
     back = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
@@ -66,4 +82,20 @@ def three_quarter(cloth: np.ndarray, bodies: Sequence[np.ndarray], aspect: float
         target = target + shift @ axes[:2]
     radius = float(np.linalg.norm(points - target, axis=1).max())
     target = target + (free.top - free.bottom) * np.tan(np.radians(LENS / 2)) * distance * up
-    return View(target + distance * back, target, radius)
+    return View(target + distance * back, target, radius, middle)
+
+
+def _revolved(points: np.ndarray, middle: np.ndarray, layers: int = 96, turns: int = 48) -> np.ndarray:
+    """The outline of what points (P, 3) sweep when they turn about the vertical line through the middle."""
+    low, high = points[:, 2].min(), points[:, 2].max()
+    layer = np.minimum((layers * (points[:, 2] - low) / max(high - low, 1e-12)).astype(int), layers - 1)
+    reach = np.zeros(layers)
+    np.maximum.at(reach, layer, np.hypot(*(points[:, :2] - middle[:2]).T))
+    full = np.flatnonzero(reach)
+    angle = np.linspace(0, 2 * np.pi, turns, endpoint=False)
+    rings = [
+        np.stack([middle[0] + r * np.cos(angle), middle[1] + r * np.sin(angle), np.full(turns, height)], axis=1)
+        for edge in (0, 1)
+        for r, height in zip(reach[full], low + (full + edge) * (high - low) / layers)
+    ]
+    return np.concatenate([*rings, points[:1]])

@@ -8,13 +8,13 @@ from collections.abc import Sequence
 from importlib import import_module
 
 from . import commands
-from .errors import FILE_TROUBLE, PostprocError
+from .errors import FILE_TROUBLE, INTERRUPTED, PostprocError
 
-NEEDED = "apt install python3-h5py python3-numpy python3-matplotlib python3-vtk9 xvfb xauth"
+NEEDED = "apt install python3-h5py python3-numpy python3-matplotlib python3-vtk9 xvfb"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Exit status: 0 done, 2 bad command line or not a result file, 3 file trouble."""
+    """Exit status: 0 done, 2 bad command line or not a result file, 3 file trouble, 130 interrupted."""
     arguments = list(sys.argv[1:] if arguments is None else arguments)
     try:
         options = _parser().parse_args(arguments)
@@ -25,6 +25,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ImportError as error:
         print(f"{error.name or error} is missing for this python ({sys.executable}): {NEEDED}", file=sys.stderr)
         return FILE_TROUBLE
+    except KeyboardInterrupt:
+        return INTERRUPTED
     return 0
 
 

@@ -2,27 +2,67 @@
 
 from __future__ import annotations
 
+import atexit
+import ctypes
 import os
+import secrets
 import shutil
+import signal
+import struct
+import subprocess
 import sys
-from collections.abc import Sequence
+import tempfile
+from pathlib import Path
 
 from .errors import FILE_TROUBLE, PostprocError
 
-GUARD = "SUNDRAPE_POSTPROC_UNDER_XVFB"
+NEEDED = "no display to draw on: `apt install xvfb` gives a virtual one"
+PR_SET_PDEATHSIG = 1  # of Linux's prctl
+ANY_DISPLAY = 0xFFFF  # an entry of an X authority file that holds for every display
+PROTOCOL = b"MIT-MAGIC-COOKIE-1"
 
 
-def ensure_display(arguments: Sequence[str]) -> None:
-    """Where there is no display, run this very command again under a virtual one; does not return then."""
+def ensure_display() -> None:
+    """Where there is no display, start a virtual one, which ends with this process."""
     if os.environ.get("DISPLAY") or sys.platform != "linux":
         return
-    xvfb = shutil.which("xvfb-run")
-    if xvfb is None or GUARD in os.environ:
-        raise PostprocError("no display to draw on: `apt install xvfb xauth` gives a virtual one", FILE_TROUBLE)
-    os.environ[GUARD] = "1"
-    here = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [here, os.environ.get("PYTHONPATH")]))
-    sys.stdout.flush()
-    sys.stderr.flush()
-    screen = "-screen 0 1280x1024x24"
-    os.execv(xvfb, [xvfb, "-a", "-s", screen, sys.executable, "-m", "sundrape_postproc", *arguments])
+    server = shutil.which("Xvfb")
+    if server is None:
+        raise PostprocError(NEEDED, FILE_TROUBLE)
+    folder = Path(tempfile.mkdtemp(prefix="sundrape-display-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    authority = folder / "authority"
+    authority.write_bytes(_cookie())
+    told, tell = os.pipe()
+    process = subprocess.Popen(
+        [server, "-displayfd", str(tell), "-auth", str(authority), "-nolisten", "tcp", "-screen", "0", "1280x1024x24"],
+        pass_fds=(tell,),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,  # Ctrl-C is for us: a display that goes first takes us with it
+        preexec_fn=_die_with_parent,
+    )
+    os.close(tell)
+    owner = os.getpid()
+    atexit.register(lambda: _end(process) if os.getpid() == owner else None)  # not when a forked process ends
+    with os.fdopen(told) as answer:
+        number = answer.readline().strip()
+    if not number:
+        raise PostprocError(f"{server} does not start a display", FILE_TROUBLE)
+    os.environ.update(DISPLAY=f":{number}", XAUTHORITY=str(authority))
+
+
+def _end(process: subprocess.Popen) -> None:
+    process.terminate()
+    process.wait()
+
+
+def _cookie() -> bytes:
+    """An X authority file with a secret of its own: nobody else draws on this display, or looks at it."""
+    parts = (b"", b"", PROTOCOL, secrets.token_bytes(16))
+    return struct.pack(">H", ANY_DISPLAY) + b"".join(struct.pack(">H", len(part)) + part for part in parts)
+
+
+def _die_with_parent() -> None:
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)

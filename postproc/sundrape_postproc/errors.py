@@ -2,6 +2,7 @@
 
 BAD_USE = 2
 FILE_TROUBLE = 3
+INTERRUPTED = 130
 
 
 class PostprocError(Exception):

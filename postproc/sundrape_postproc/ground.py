@@ -12,7 +12,7 @@ from . import bodies
 from .camera import View
 from .weave import image_texture
 
-PIXELS = 768
+PIXELS = 768  # of the shadow that the blurs below are measured in
 PATCH = 4.0  # half side of a patch, over the radius of what is shown
 LIGHT = np.array([-0.25, 0.30, 1.0])  # towards the lamp that throws the shadow
 PLANE_COLOUR = np.array([0.87, 0.875, 0.88])
@@ -20,45 +20,52 @@ SHADOW_COLOUR = np.array([0.20, 0.22, 0.26])
 DEPTH = 0.55  # of the darkest shadow
 
 
-def actors(
-    cloth: np.ndarray, casters: Sequence[np.ndarray], planes: Sequence[tuple[np.ndarray, np.ndarray]], view: View
-) -> list[vtkActor]:
-    """Patches for the planes (point, normal) and the floor; `casters`: (P, 3) points [m], dense where they shade."""
-    lowest = min(float(points[:, 2].min()) for points in casters)
-    floors = [float(point[2]) for point, normal in planes if normal[2] > 0.999]
-    drawn = [_patch(point, normal, view, 0.85) for point, normal in planes if normal[2] <= 0.999]
-    height = max(floors) if floors else lowest - 0.01 * view.radius
-    return drawn + [_floor(height, casters, view, solid=bool(floors))]
+class Ground:
+    """The patches of a scene's planes and the floor with its shadow."""
+
+    def __init__(self, planes: Sequence[tuple[np.ndarray, np.ndarray]], lowest: float, view: View, pixels: int) -> None:
+        """`planes`: (point, normal) each; `lowest`: height of the lowest point ever shown [m]; `pixels` of the shadow."""
+        floors = [float(point[2]) for point, normal in planes if normal[2] > 0.999]
+        height = max(floors) if floors else lowest - 0.01 * view.radius
+        self._base = _fade(pixels) * bool(floors)
+        self._centre = np.array([view.target[0], view.target[1], height])
+        self._half = PATCH * view.radius
+        self._still = np.ones((pixels, pixels))
+        self._floor = _quad(self._centre, np.array([0.0, 0.0, 1.0]), self._half)
+        patches = [_patch(point, normal, view, 0.85, pixels) for point, normal in planes if normal[2] <= 0.999]
+        self.actors = [*patches, self._floor]
+
+    def stand(self, casters: Sequence[np.ndarray]) -> None:
+        """Throw the shadow of what does not move: (P, 3) points [m] each, dense where they shade."""
+        self._still = _light_left(casters, self._centre, self._half, len(self._base))
+
+    def cast(self, casters: Sequence[np.ndarray]) -> None:
+        """Throw the shadow of what moves."""
+        light = self._still * _light_left(casters, self._centre, self._half, len(self._base))
+        shadow = DEPTH * np.clip(1 - light, 0, 1)
+        alpha = shadow + self._base * (1 - shadow)
+        weight = np.divide(shadow, alpha, out=np.zeros_like(alpha), where=alpha > 0)[..., None]
+        _paint(self._floor, np.concatenate([weight * SHADOW_COLOUR + (1 - weight) * PLANE_COLOUR, alpha[..., None]], axis=2))
 
 
-def _floor(height: float, casters: Sequence[np.ndarray], view: View, solid: bool) -> vtkActor:
-    centre = np.array([view.target[0], view.target[1], height])
-    half = PATCH * view.radius
-    shadow = DEPTH * np.clip(_shadow(casters, centre, half), 0, 1)
-    fade = _fade()
-    base = fade if solid else np.zeros_like(fade)
-    alpha = shadow + base * (1 - shadow)
-    weight = np.divide(shadow, alpha, out=np.zeros_like(alpha), where=alpha > 0)[..., None]
-    colour = weight * SHADOW_COLOUR + (1 - weight) * PLANE_COLOUR
-    return _quad(centre, np.array([0.0, 0.0, 1.0]), half, np.concatenate([colour, alpha[..., None]], axis=2))
-
-
-def _patch(point: np.ndarray, normal: np.ndarray, view: View, opacity: float) -> vtkActor:
-    """A plane that is not the floor: the part of it nearest to the scene, see-through at its rim."""
+def _patch(point: np.ndarray, normal: np.ndarray, view: View, opacity: float, pixels: int) -> vtkActor:
+    """A wall: a patch where the scene is nearest to the plane."""
     centre = view.target - normal * np.dot(view.target - point, normal)
-    alpha = opacity * _fade()
+    alpha = opacity * _fade(pixels)
     colour = np.broadcast_to(PLANE_COLOUR, (*alpha.shape, 3))
-    return _quad(centre, normal, 0.4 * PATCH * view.radius, np.concatenate([colour, alpha[..., None]], axis=2))
+    actor = _quad(centre, normal, 0.4 * PATCH * view.radius)
+    _paint(actor, np.concatenate([colour, alpha[..., None]], axis=2))
+    return actor
 
 
-def _fade() -> np.ndarray:
-    s = np.linspace(-1, 1, PIXELS)
+def _fade(pixels: int) -> np.ndarray:
+    s = np.linspace(-1, 1, pixels)
     r = np.hypot(*np.meshgrid(s, s))
     t = np.clip((1 - r) / 0.7, 0, 1)
     return t * t * (3 - 2 * t)
 
 
-def _quad(centre: np.ndarray, normal: np.ndarray, half: float, rgba: np.ndarray) -> vtkActor:
+def _quad(centre: np.ndarray, normal: np.ndarray, half: float) -> vtkActor:
     frame = bodies.frame_of(normal) if abs(normal[2]) < 0.999 else np.eye(3)
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=float)
     data = bodies.polydata(centre + half * corners @ frame[:, :2].T, np.arange(4)[None])
@@ -67,16 +74,20 @@ def _quad(centre: np.ndarray, normal: np.ndarray, half: float, rgba: np.ndarray)
     mapper.SetInputData(data)
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.SetTexture(image_texture((255 * rgba).round().astype(np.uint8), repeat=False))
     actor.GetProperty().LightingOff()
     actor.ForceTranslucentOn()
     return actor
 
 
-def _shadow(casters: Sequence[np.ndarray], centre: np.ndarray, half: float) -> np.ndarray:
-    """Darkness (PIXELS, PIXELS) in 0..1: points thrown along the light, blurred the more the higher they are."""
-    total = np.ones((PIXELS, PIXELS))
-    pixel = 2 * half / PIXELS
+def _paint(actor: vtkActor, rgba: np.ndarray) -> None:
+    actor.SetTexture(image_texture((255 * rgba).round().astype(np.uint8), repeat=False))
+
+
+def _light_left(casters: Sequence[np.ndarray], centre: np.ndarray, half: float, pixels: int) -> np.ndarray:
+    """Share (pixels, pixels) of light that passes points thrown along it, blurred the more the higher they are."""
+    total = np.ones((pixels, pixels))
+    pixel = 2 * half / pixels
+    fine = pixels / PIXELS
     for points in casters:
         above = points[points[:, 2] >= centre[2] - 1e-9]
         rise = above[:, 2] - centre[2]
@@ -84,17 +95,24 @@ def _shadow(casters: Sequence[np.ndarray], centre: np.ndarray, half: float) -> n
         limits = np.quantile(rise, [0, 0.34, 0.67, 1]) if len(rise) else []
         for low, high in zip(limits[:-1], limits[1:]):
             layer = thrown[(rise >= low) & (rise <= high)]
-            count, _, _ = np.histogram2d(layer[:, 1], layer[:, 0], bins=PIXELS, range=[[0, 2 * half]] * 2)
+            count = _counts(layer / pixel, pixels)
             if not count.any():
                 continue
-            cover = np.clip(_blur(np.minimum(count, 1), 2.0) * 4, 0, 1)
+            cover = np.clip(_blur(np.minimum(count, 1), 2.0 * fine) * 4, 0, 1)
             blur = max((0.25 * (low + high) / 2 + 0.01 * half) / pixel, 1.0)
             total *= 1 - np.clip(_blur(cover, blur), 0, 1)
-    return 1 - total
+    return total
+
+
+def _counts(places: np.ndarray, pixels: int) -> np.ndarray:
+    """How many of the places (P, 2), in pixels, x first, lie in each pixel (rows y)."""
+    cell = np.floor(places).astype(np.int64)
+    cell = cell[((cell >= 0) & (cell < pixels)).all(axis=1)]
+    return np.bincount(cell[:, 1] * pixels + cell[:, 0], minlength=pixels**2).reshape(pixels, pixels)
 
 
 def _blur(image: np.ndarray, sigma: float) -> np.ndarray:
     """Gaussian blur, sigma in pixels, periodic (the patch's rim is empty)."""
-    f = np.fft.fftfreq(PIXELS)
-    kernel = np.exp(-2 * (np.pi * sigma * f) ** 2)
-    return np.real(np.fft.ifft2(np.fft.fft2(image) * kernel[:, None] * kernel[None, :]))
+    rows, columns = (f(len(image)) for f in (np.fft.fftfreq, np.fft.rfftfreq))
+    kernels = [np.exp(-2 * (np.pi * sigma * f) ** 2) for f in (rows, columns)]
+    return np.fft.irfft2(np.fft.rfft2(image) * kernels[0][:, None] * kernels[1][None, :], s=image.shape)

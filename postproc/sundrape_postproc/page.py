@@ -13,6 +13,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .camera import Room
+from .colours import Scale, draw_legend
 from .energies import FAINT, INK, draw_history, draw_residual, facts
 from .errors import PostprocError
 from .load import Result
@@ -22,6 +23,8 @@ DPI = 110
 SCENE_SHARE = 0.60  # of the picture's width
 TITLE_ROOM = Room(top=0.11, bottom=0.03)
 CAPTION_ROOM = Room(bottom=0.10)
+LEGEND_ROOM = 0.12  # of the height, for a legend below
+STRIP_LEGEND_ROOM = 0.20  # of a filmstrip's height, for a legend above
 GUTTER = 6  # pixels of white between the scenes of a filmstrip
 STYLE = {
     "font.family": "DejaVu Sans",
@@ -50,19 +53,33 @@ def panel_size(size: tuple[int, int], count: int) -> tuple[int, int]:
     return (size[0] - GUTTER * (count - 1)) // count, size[1]
 
 
+def room(scale: Scale | None) -> Room:
+    """What a scene with a title leaves free, and with a legend if there is one."""
+    return TITLE_ROOM if scale is None else Room(TITLE_ROOM.top, LEGEND_ROOM)
+
+
+def strip_room(scale: Scale | None) -> Room:
+    """What the scenes of a filmstrip leave free."""
+    return CAPTION_ROOM if scale is None else Room(STRIP_LEGEND_ROOM, CAPTION_ROOM.bottom)
+
+
 def caption(result: Result, frame: int) -> str:
     if result.is_static:
         return "at rest" if frame == len(result.time) - 1 and result.status == "done" else f"frame {frame}"
     return f"t = {quantity(float(result.time[frame]), 's')}"
 
 
-def picture(result: Result, frame: int, scene: np.ndarray, size: tuple[int, int]) -> Figure:
+def picture(
+    result: Result, frame: int, scene: np.ndarray, size: tuple[int, int], scale: Scale | None = None
+) -> Figure:
     """The scene (height, width, 3) at the left, its diagrams and table at the right."""
     with plt.rc_context(STYLE):
         figure = new_figure(size)
         place_image(figure, scene, 0)
         figure.text(0.022, 0.955, result.title, fontsize=14, fontweight="bold", va="top", wrap=False)
         figure.text(0.022, 0.905, caption(result, frame), fontsize=9.5, va="top")
+        if scale is not None:
+            draw_legend(figure, scale, (0.028, 0.055, 0.20, 0.016))
         left, width = SCENE_SHARE + 0.062, 1 - SCENE_SHARE - 0.062 - 0.105
         upper = figure.add_axes((left, 0.60, width, 0.335))
         lower = figure.add_axes((left, 0.285, width, 0.235))
@@ -80,7 +97,13 @@ def picture(result: Result, frame: int, scene: np.ndarray, size: tuple[int, int]
         return figure
 
 
-def filmstrip(result: Result, frames: Sequence[int], scenes: Sequence[np.ndarray], size: tuple[int, int]) -> Figure:
+def filmstrip(
+    result: Result,
+    frames: Sequence[int],
+    scenes: Sequence[np.ndarray],
+    size: tuple[int, int],
+    scale: Scale | None = None,
+) -> Figure:
     """Scenes side by side, each with its time."""
     with plt.rc_context(STYLE):
         figure = new_figure(size)
@@ -88,6 +111,9 @@ def filmstrip(result: Result, frames: Sequence[int], scenes: Sequence[np.ndarray
             left = k * (scene.shape[1] + GUTTER)
             place_image(figure, scene, left)
             figure.text((left + scene.shape[1] / 2) / size[0], 0.05, caption(result, frame), ha="center", fontsize=10)
+        if scale is not None:
+            width = min(0.22 * size[0], 0.7 * scenes[0].shape[1]) / size[0]
+            draw_legend(figure, scale, (0.03, 1 - 34 / size[1], width, 10 / size[1]))
         return figure
 
 
@@ -107,4 +133,4 @@ def new_figure(size: tuple[int, int]) -> Figure:
 
 def place_image(figure: Figure, image: np.ndarray, left: int, bottom: int = 0) -> None:
     """Pixel for pixel: the image is not resampled."""
-    figure.figimage(image, xo=left, yo=bottom, origin="upper")
+    figure.figimage(image, xo=left, yo=bottom, origin="upper", zorder=-1)  # below axes that lie on it

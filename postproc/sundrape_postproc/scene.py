@@ -3,116 +3,189 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLight,
-    vtkPolyDataMapper,
-    vtkProperty,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers the renderer with VTK's factories
-from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
-from . import bodies, ground
-from .camera import NO_ROOM, Room, three_quarter
+from . import bodies, fields
+from .camera import NO_ROOM, Room, View, three_quarter
 from .clearance import drape_over
+from .colours import Scale
+from .ground import Ground
 from .load import Obstacle, Result
+from .moments import Moment, at_frame
+from .stage import STILL, Quality, Stage
 from .surface import SmoothSurface
-from .weave import thread_spacing, weave_texture
+from .weave import line_texture, thread_spacing, weave_texture
 
-SUPERSAMPLING = 2
 LIFT = 0.005  # of the drawn cloth off its obstacles, over the radius of what is shown
-OCCLUSION = 0.5  # share of the picture with ambient occlusion; all of it looks sooty
+HEM = 0.0016  # radius of the cord along the cloth's edge, over the same
 FACE_COLOUR = (0.985, 0.955, 0.895)  # unbleached linen
 BACK_COLOUR = (0.86, 0.76, 0.62)  # its back, darker, so that folds read in grey
 HEM_COLOUR = (0.45, 0.38, 0.29)
 BODY_COLOUR = (0.56, 0.61, 0.66)  # slate
-BACKGROUND_TOP, BACKGROUND_BOTTOM = (0.90, 0.92, 0.94), (0.985, 0.985, 0.98)
 
 
 class Scene:
-    """All frames of a result seen from one camera that fits those asked for."""
+    """All frames of a result seen from one camera that fits those asked for.
 
-    def __init__(self, result: Result, frames: Sequence[int], size: tuple[int, int], free: Room = NO_ROOM) -> None:
-        """`size`: pixels across and down; `free`: what the fit leaves for text."""
-        self._result = result
-        self._size = size
+    Window, textures and actors are made at the first picture and kept: the next ones only move points.
+    """
+
+    def __init__(
+        self,
+        result: Result,
+        frames: Sequence[int],
+        size: tuple[int, int],
+        free: Room = NO_ROOM,
+        scale: Scale | None = None,
+        quality: Quality = STILL,
+        all_round: bool = False,
+    ) -> None:
+        """`size`: pixels across and down; `free`: what the fit leaves for text; `scale`: of the field that the cloth is
+        coloured by, its weave without one; `all_round`: the fit is for a camera that goes round the scene."""
+        self._result, self._size, self._scale, self._quality = result, size, scale, quality
         self._surface = SmoothSurface(result.quads, result.position.shape[1])
-        self._cloth_points = np.concatenate([result.position[k] for k in frames])
-        shown = [_points(body) for k in frames for body in self._bodies(k)]
-        self._view = three_quarter(self._cloth_points, shown, size[0] / size[1], free)
-
-    def _obstacles(self, frame: int) -> list[Obstacle]:
-        return [obstacle.at(frame) for obstacle in self._result.obstacles.values()]
-
-    def _bodies(self, frame: int) -> list[vtkPolyData]:
-        return [bodies.body(o) for o in self._obstacles(frame) if o.kind != "plane"]
+        cloth = np.concatenate([result.position[k] for k in frames])
+        shown = [_points(bodies.body(o)) for k in frames for o in at_frame(k).obstacles(result) if o.kind != "plane"]
+        self.view = three_quarter(cloth, shown, size[0] / size[1], free, all_round)
+        self._lowest = min(float(points[:, 2].min()) for points in [cloth, *shown])
+        self._stage: Stage | None = None
+        self._values = lru_cache(maxsize=2)(lambda frame: fields.values(result, scale.field.name, frame))
 
     def draw(self, frame: int) -> np.ndarray:
         """One frame as an image (height, width, 3) of bytes, top row first."""
-        points = self._surface.points(self._result.position[frame])
-        points = drape_over(points, self._surface.quads, self._obstacles(frame), LIFT * self._view.radius)
-        renderer = vtkRenderer()
-        renderer.GradientBackgroundOn()
-        renderer.SetBackground(*BACKGROUND_BOTTOM)
-        renderer.SetBackground2(*BACKGROUND_TOP)
-        for actor in self._cloth(points):
-            renderer.AddActor(actor)
-        drawn = self._bodies(frame)
-        planes = [bodies.plane(o) for o in self._obstacles(frame) if o.kind == "plane"]
-        for data in drawn:
-            renderer.AddActor(_actor(data, BODY_COLOUR, specular=0.12))
-        shadow_casters = [points] + [_points(data) for data in drawn]
-        for actor in ground.actors(self._cloth_points, shadow_casters, planes, self._view):
-            renderer.AddActor(actor)
-        _light(renderer)
-        self._view.apply(renderer)
-        return _render(renderer, self._size, self._view.radius)
+        return self.draw_moment(at_frame(frame))
 
-    def _cloth(self, points: np.ndarray) -> list[vtkActor]:
-        data = bodies.polydata(points, self._surface.quads)
-        face = _actor(data, FACE_COLOUR, specular=0.04)
-        if self._result.material is not None:
-            material = self._surface.coordinates(self._result.material)
-            spacing = thread_spacing(self._result.material)
-            data.GetPointData().SetTCoords(numpy_to_vtk(np.ascontiguousarray(material / spacing), deep=True))
-            face.SetTexture(weave_texture())
-        data = bodies.with_normals(data)
-        face.GetMapper().SetInputData(data)
+    def draw_moment(self, moment: Moment, view: View | None = None) -> np.ndarray:
+        """The same of any moment, and from another place."""
+        if self._stage is None:
+            self._set_up(moment)
+        self._move(moment)
+        assert self._stage is not None
+        return self._stage.image(view or self.view)
+
+    def close(self) -> None:
+        """Give the window back; the next picture opens a new one."""
+        if self._stage is not None:
+            self._stage.close()
+            self._stage = None
+
+    def _set_up(self, moment: Moment) -> None:
+        self._stage = Stage(self._size, self._quality, self.view.radius)
+        self._cloth = _Cloth(self._surface, self._result.material, self.view.radius, self._scale, self._quality)
+        self._ground: Ground | None = None
+        self._bodies: dict[int, vtkActor] = {}
+        for actor in self._cloth.actors:
+            self._stage.renderer.AddActor(actor)
+
+    def _move(self, moment: Moment) -> None:
+        obstacles = moment.obstacles(self._result)
+        points = self._surface.points(moment.position(self._result))
+        points = drape_over(points, self._surface.quads, obstacles, LIFT * self.view.radius)
+        self._cloth.move(points)
+        if self._scale is not None:
+            of_nodes = moment.mixed(self._values(moment.before), self._values(moment.after))
+            self._cloth.colour(self._scale.rgb(self._surface.interpolated(of_nodes[:, None])[:, 0]))
+        moving = [points]
+        for k, (obstacle, kept) in enumerate(zip(obstacles, self._result.obstacles.values())):
+            if obstacle.kind != "plane":
+                body = self._place(k, obstacle, moves=kept.path is not None)
+                if kept.path is not None:
+                    moving.append(_points(body))
+        self._stand(obstacles)
+        assert self._ground is not None
+        self._ground.cast(moving)
+
+    def _place(self, k: int, obstacle: Obstacle, moves: bool) -> vtkPolyData:
+        if k not in self._bodies:
+            self._bodies[k] = _actor(bodies.body(obstacle), BODY_COLOUR, specular=0.12)
+            self._stage.renderer.AddActor(self._bodies[k])
+        elif moves:
+            self._bodies[k].GetMapper().SetInputData(bodies.body(obstacle))
+        return self._bodies[k].GetMapper().GetInput()
+
+    def _stand(self, obstacles: Sequence[Obstacle]) -> None:
+        """The ground: once, or anew when one of its planes moves."""
+        moves = any(o.kind == "plane" and o.path is not None for o in self._result.obstacles.values())
+        if self._ground is not None and not moves:
+            return
+        for actor in self._ground.actors if self._ground else []:
+            self._stage.renderer.RemoveActor(actor)
+        planes = [bodies.plane(o) for o in obstacles if o.kind == "plane"]
+        self._ground = Ground(planes, self._lowest, self.view, self._quality.shadow_pixels)
+        still = [k for k, o in enumerate(self._result.obstacles.values()) if o.kind != "plane" and o.path is None]
+        self._ground.stand([_points(self._bodies[k].GetMapper().GetInput()) for k in still])
+        for actor in self._ground.actors:
+            self._stage.renderer.AddActor(actor)
+
+
+class _Cloth:
+    """Its surface and hem."""
+
+    def __init__(
+        self, surface: SmoothSurface, material: np.ndarray | None, radius: float, scale: Scale | None, quality: Quality
+    ) -> None:
+        self._quads = surface.quads
+        rest = np.zeros((int(surface.quads.max()) + 1, 3))
+        self._data = bodies.polydata(rest, surface.quads)
+        face = _actor(self._data, FACE_COLOUR, specular=0.04)
+        if material is not None:
+            lines = surface.interpolated(material) / thread_spacing(material)
+            self._data.GetPointData().SetTCoords(numpy_to_vtk(np.ascontiguousarray(lines), deep=True))
+            texture = weave_texture if scale is None else line_texture
+            face.SetTexture(texture(quality.texture_filtering))
+        if scale is not None:
+            face.GetMapper().ScalarVisibilityOn()
+            face.GetProperty().SetAmbient(0.46)  # flatter than linen: a colour has to be found again in the legend
+            face.GetProperty().SetDiffuse(0.62)
         back = vtkProperty()
         back.DeepCopy(face.GetProperty())
         back.SetColor(*BACK_COLOUR)
         face.SetBackfaceProperty(back)
-        return [face, self._hem(points)]
-
-    def _hem(self, points: np.ndarray) -> vtkActor:
-        """The cloth's edge as a thin cord: without it folds that lie on each other run together."""
-        lines = bodies.polydata(points, self._surface.hem)
-        cord = vtkPolyData()
-        cord.SetPoints(lines.GetPoints())
-        cord.SetLines(lines.GetPolys())
-        tube = vtkTubeFilter()
-        tube.SetInputData(cord)
-        tube.SetRadius(0.0016 * self._view.radius)
+        self._cord = _lines(rest, surface.hem)
+        tube = vtkTubeFilter()  # the edge as a thin cord: without it folds that lie on each other run together
+        tube.SetInputData(self._cord)
+        tube.SetRadius(HEM * radius)
         tube.SetNumberOfSides(6)
-        tube.Update()
-        return _actor(tube.GetOutput(), HEM_COLOUR)
+        hem = _actor(None, HEM_COLOUR)
+        hem.GetMapper().SetInputConnection(tube.GetOutputPort())
+        self.actors = [face, hem]
+
+    def move(self, points: np.ndarray) -> None:
+        """To points (P, 3) [m]."""
+        for data in (self._data, self._cord):
+            data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+            data.GetPoints().Modified()
+            data.Modified()
+        normals = fields.node_normals(points, self._quads).astype(np.float32)
+        self._data.GetPointData().SetNormals(numpy_to_vtk(normals, deep=True))
+
+    def colour(self, rgb: np.ndarray) -> None:
+        """Every point (P, 3) of bytes."""
+        self._data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(rgb), deep=True))
+
+
+def _lines(points: np.ndarray, pairs: np.ndarray) -> vtkPolyData:
+    made = bodies.polydata(points, pairs)
+    lines = vtkPolyData()
+    lines.SetPoints(made.GetPoints())
+    lines.SetLines(made.GetPolys())
+    return lines
 
 
 def _points(data: vtkPolyData) -> np.ndarray:
     return vtk_to_numpy(data.GetPoints().GetData())
 
 
-def _actor(data: vtkPolyData, colour: tuple[float, float, float], specular: float = 0.0) -> vtkActor:
+def _actor(data: vtkPolyData | None, colour: tuple[float, float, float], specular: float = 0.0) -> vtkActor:
     mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
+    if data is not None:
+        mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
@@ -124,53 +197,3 @@ def _actor(data: vtkPolyData, colour: tuple[float, float, float], specular: floa
     surface.SetSpecular(specular)
     surface.SetSpecularPower(30)
     return actor
-
-
-def _light(renderer: vtkRenderer) -> None:
-    """A key light from the upper left, a warm fill from the right, a weak one from behind: all move with the camera."""
-    renderer.AutomaticLightCreationOff()
-    renderer.RemoveAllLights()
-    for position, intensity, colour in (
-        ((-0.7, 1.2, 1.1), 0.80, (1.0, 0.99, 0.97)),
-        ((1.2, 0.1, 1.0), 0.42, (1.0, 0.96, 0.92)),
-        ((0.2, 0.9, -1.0), 0.22, (1.0, 1.0, 1.0)),
-    ):
-        light = vtkLight()
-        light.SetLightTypeToCameraLight()
-        light.SetPosition(*position)
-        light.SetFocalPoint(0, 0, 0)
-        light.SetIntensity(intensity)
-        light.SetColor(*colour)
-        renderer.AddLight(light)
-
-
-def _render(renderer: vtkRenderer, size: tuple[int, int], radius: float) -> np.ndarray:
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(*(SUPERSAMPLING * n for n in size))
-    window.AddRenderer(renderer)
-    plain = _grab(window)
-    occlusion = vtkSSAOPass()
-    occlusion.SetRadius(0.12 * radius)
-    occlusion.SetBias(0.004 * radius)
-    occlusion.SetKernelSize(48)
-    occlusion.BlurOn()
-    occlusion.SetDelegatePass(vtkRenderStepsPass())
-    renderer.SetPass(occlusion)
-    image = OCCLUSION * _grab(window) + (1 - OCCLUSION) * plain
-    window.Finalize()
-    height, width, n = size[1], size[0], SUPERSAMPLING
-    return image.reshape(height, n, width, n, 3).mean(axis=(1, 3)).round().astype(np.uint8)
-
-
-def _grab(window: vtkRenderWindow) -> np.ndarray:
-    """What the window shows, (height, width, 3), top row first."""
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    width, height = grab.GetOutput().GetDimensions()[:2]
-    pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
-    return pixels.reshape(height, width, -1)[::-1, :, :3].astype(np.float32)

@@ -30,18 +30,12 @@ class _Level:
         """Points (N, d) -> (N + M + E, d): old nodes moved, then edge points, then face points."""
         face = p[self.quads].mean(axis=1)
         middle = p[self.edges].mean(axis=1)
-        beside = np.zeros_like(middle)
-        for side in range(4):
-            np.add.at(beside, self.edge_of_side[:, side], face)
+        beside = _sums(self.edge_of_side, np.repeat(face, 4, axis=0), len(self.edges))
         edge = np.where(self.inner[:, None], middle / 2 + beside / 4, middle)
 
-        around = np.zeros_like(p)  # sum of the face points about a node
-        for corner in range(4):
-            np.add.at(around, self.quads[:, corner], face)
-        spokes, hem = np.zeros_like(p), np.zeros_like(p)
-        for end in range(2):
-            np.add.at(spokes, self.edges[:, end], middle)
-            np.add.at(hem, self.edges[~self.inner, end], middle[~self.inner])
+        around = _sums(self.quads, np.repeat(face, 4, axis=0), len(p))  # of the face points about a node
+        spokes = _sums(self.edges, np.repeat(middle, 2, axis=0), len(p))
+        hem = _sums(self.edges[~self.inner], np.repeat(middle[~self.inner], 2, axis=0), len(p))
         n = np.maximum(self.valence, 1)[:, None]
         inside = (around / n + 2 * spokes / n + (n - 3) * p) / n
         node = np.where(self.rim[:, None], (2 * p + hem) / 4, inside)
@@ -49,7 +43,7 @@ class _Level:
         return np.concatenate([node, edge, face])
 
     def refine_linearly(self, p: np.ndarray) -> np.ndarray:
-        """The same points by bilinear interpolation: for warp and weft coordinates."""
+        """The same points by bilinear interpolation: for what only has to lie between its neighbours."""
         return np.concatenate([p, p[self.edges].mean(axis=1), p[self.quads].mean(axis=1)])
 
     def refined_quads(self) -> np.ndarray:
@@ -82,16 +76,21 @@ class SmoothSurface:
             control += RELAXATION * (position - self._subdivide(control, 2)[: len(position)])
         return self._subdivide(control, len(self._levels))
 
-    def coordinates(self, material: np.ndarray) -> np.ndarray:
-        """Warp and weft coordinates (N, 2) [m] -> those of the refined mesh's points [m]."""
+    def interpolated(self, of_nodes: np.ndarray) -> np.ndarray:
+        """Values of the nodes (N, d), e.g. warp and weft coordinates -> those of the refined mesh's points."""
         for level in self._levels:
-            material = level.refine_linearly(material)
-        return material
+            of_nodes = level.refine_linearly(of_nodes)
+        return of_nodes
 
     def _subdivide(self, p: np.ndarray, levels: int) -> np.ndarray:
         for level in self._levels[:levels]:
             p = level.refine(p)
         return p
+
+
+def _sums(index: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
+    """Rows of `values` (K, d) summed into `count` places, given by `index` of K entries."""
+    return np.stack([np.bincount(index.ravel(), column, count) for column in values.T], axis=1)
 
 
 def _sides(quads: np.ndarray) -> np.ndarray:

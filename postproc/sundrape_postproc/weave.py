@@ -19,7 +19,7 @@ def thread_spacing(material: np.ndarray) -> float:
     return float(min((decade * m for m in (1, 2, 5, 10)), key=lambda length: abs(np.log(length / target))))
 
 
-def image_texture(pixels: np.ndarray, repeat: bool) -> vtkTexture:
+def image_texture(pixels: np.ndarray, repeat: bool, filtering: int = 1) -> vtkTexture:
     """A texture of an image (height, width, 3 or 4) of bytes, bottom row first."""
     height, width, channels = pixels.shape
     image = vtkImageData()
@@ -30,20 +30,29 @@ def image_texture(pixels: np.ndarray, repeat: bool) -> vtkTexture:
     texture.SetRepeat(repeat)
     texture.InterpolateOn()
     texture.SetMipmap(repeat)
-    texture.SetMaximumAnisotropicFiltering(8)
+    texture.SetMaximumAnisotropicFiltering(filtering)
     texture.SetColorModeToDirectScalars()
     return texture
 
 
-def weave_texture() -> vtkTexture:
+def weave_texture(filtering: int) -> vtkTexture:
     """One tile, a marking line along two of its sides; repeated in units of the thread spacing."""
     s = (np.arange(PIXELS) + 0.5) / PIXELS
     warp, weft = np.meshgrid(s, s)
     phase = np.pi * THREADS
     over = np.sign(np.sin(phase * warp) * np.sin(phase * weft))
     round_thread = np.where(over > 0, np.abs(np.sin(phase * warp)), np.abs(np.sin(phase * weft)))
-    shade = 0.90 + 0.10 * np.sqrt(round_thread)
-    for along in (warp, weft):
+    return _marked(0.90 + 0.10 * np.sqrt(round_thread), filtering)
+
+
+def line_texture(filtering: int) -> vtkTexture:
+    """The marking lines alone: under a field's colours the threads would only be noise."""
+    return _marked(np.ones((PIXELS, PIXELS)), filtering)
+
+
+def _marked(shade: np.ndarray, filtering: int) -> vtkTexture:
+    s = (np.arange(PIXELS) + 0.5) / PIXELS
+    for along in np.meshgrid(s, s):
         distance = np.minimum(along, 1 - along)
         shade = shade * (1 - 0.22 * np.clip(1.5 - distance / (LINE / 2), 0, 1))
-    return image_texture(np.repeat((255 * shade)[..., None], 3, axis=2).astype(np.uint8), repeat=True)
+    return image_texture(np.repeat((255 * shade)[..., None], 3, axis=2).astype(np.uint8), True, filtering)

@@ -33,10 +33,14 @@ class Pictures(unittest.TestCase):
         self.folder = Path(folder.name)
         self.result, self.png = self.folder / "result.h5", self.folder / "picture.png"
 
-    def drawn(self, *arguments: object) -> np.ndarray:
-        """Runs a command that must succeed in silence; the picture's pixels (height, width, 3) in 0..1."""
-        done = command(*arguments, "-o", self.png)
+    def done(self, *arguments: object) -> None:
+        """Runs a command that must succeed in silence."""
+        done = command(*arguments)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def drawn(self, *arguments: object) -> np.ndarray:
+        """The same; the picture's pixels (height, width, 3) in 0..1."""
+        self.done(*arguments, "-o", self.png)
         return matplotlib.image.imread(self.png)[..., :3]
 
     def refused(self, status: int, pattern: str, *arguments: object, **environment: str) -> None:

@@ -23,7 +23,7 @@ def run(options: argparse.Namespace, arguments: Sequence[str]) -> None:
 
     title, found = drapes.read(options.folder)
     panel = drapes.grid(len(found), options.size)[2]
-    ensure_display(arguments)
+    ensure_display()
     from ..scene import Scene
 
     scenes = []

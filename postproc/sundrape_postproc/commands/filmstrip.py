@@ -16,6 +16,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     common.add_output(parser)
     common.add_size(parser, (1600, 400))
     common.add_count(parser, 5)
+    common.add_colour(parser)
 
 
 def run(options: argparse.Namespace, arguments: Sequence[str]) -> None:
@@ -23,10 +24,11 @@ def run(options: argparse.Namespace, arguments: Sequence[str]) -> None:
 
     result = load(options.result)
     frames = result.telling_frames(options.count)
-    ensure_display(arguments)
+    ensure_display()
     from .. import page
     from ..scene import Scene
 
-    scene = Scene(result, frames, page.panel_size(options.size, len(frames)), page.CAPTION_ROOM)
-    figure = page.filmstrip(result, frames, [scene.draw(frame) for frame in frames], options.size)
+    scale = common.scale_of(options, result, frames)
+    scene = Scene(result, frames, page.panel_size(options.size, len(frames)), page.strip_room(scale), scale)
+    figure = page.filmstrip(result, frames, [scene.draw(frame) for frame in frames], options.size, scale)
     page.save(figure, options.output)

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import BAD_USE, PostprocError
 
 if TYPE_CHECKING:
+    from ..colours import Scale
     from ..load import Result
+
+COLOURS = ("weave", "strain", "curvature", "contact", "energy", "speed")
 
 
 def add_result(parser: argparse.ArgumentParser) -> None:
@@ -41,6 +46,28 @@ def add_frame(parser: argparse.ArgumentParser) -> None:
 
 def add_count(parser: argparse.ArgumentParser, default: int) -> None:
     parser.add_argument("--count", type=_count, default=default, metavar="N", help=f"frames (default {default})")
+
+
+def add_colour(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--colour", choices=COLOURS, default=COLOURS[0], help="of the cloth: its weave, or a field")
+    parser.add_argument("--range", metavar="LOW:HIGH", help="of the colours, SI (default: 0 to the 99.5th percentile)")
+
+
+def scale_of(options: argparse.Namespace, result: Result, frames: Sequence[int]) -> Scale | None:
+    """The scale of `--colour` and `--range` over the frames that are shown; None for the weave."""
+    from .. import colours
+
+    if options.colour == colours.WEAVE:
+        if options.range is not None:
+            raise PostprocError("--range: needs --colour FIELD", BAD_USE)
+        return None
+    limits = None if options.range is None else colours.parse_range(options.range)
+    return colours.scale_of(result, options.colour, frames, limits)
+
+
+def processors() -> int:
+    """That this process may use, at most 4: more processes wait for memory."""
+    return min(len(os.sched_getaffinity(0)), 4)
 
 
 def frame_of(wanted: int | None, result: Result) -> int:

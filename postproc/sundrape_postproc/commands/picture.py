@@ -16,6 +16,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     common.add_output(parser)
     common.add_size(parser, (1500, 860))
     common.add_frame(parser)
+    common.add_colour(parser)
 
 
 def run(options: argparse.Namespace, arguments: Sequence[str]) -> None:
@@ -23,9 +24,10 @@ def run(options: argparse.Namespace, arguments: Sequence[str]) -> None:
 
     result = load(options.result)
     frame = common.frame_of(options.frame, result)
-    ensure_display(arguments)
+    ensure_display()
     from .. import page
     from ..scene import Scene
 
-    scene = Scene(result, [frame], page.scene_size(options.size), page.TITLE_ROOM)
-    page.save(page.picture(result, frame, scene.draw(frame), options.size), options.output)
+    scale = common.scale_of(options, result, [frame])
+    scene = Scene(result, [frame], page.scene_size(options.size), page.room(scale), scale)
+    page.save(page.picture(result, frame, scene.draw(frame), options.size, scale), options.output)
