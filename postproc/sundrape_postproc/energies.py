@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
 
+from .course import course
 from .load import Result
 from .units import quantity, scale_for
 
@@ -87,21 +88,28 @@ def _whole(number: int) -> str:
     return f"{number:,}".replace(",", "\u2009")  # thin spaces between thousands
 
 
-def draw_history(upper: Axes, lower: Axes, result: Result, frame: int) -> None:
-    """Energies [J] of a dynamic run: what gravity gives and what becomes of it above, what the cloth stores below."""
+def balance(result: Result) -> dict[str, np.ndarray]:
+    """The energies (F,) [J], gravity's from the first frame on, with what the method lost where that is known."""
     curves = {name: np.array(value, dtype=float) for name, value in result.energies.items()}
     if "gravity" in curves:
         curves["gravity"] = curves["gravity"] - curves["gravity"][0]  # its zero is arbitrary
     method = method_dissipation(result)
     if method is not None:
         curves["method_dissipated"] = method
-    _panel(upper, result, curves, GIVEN_AND_LOST, frame)
-    _panel(lower, result, curves, STORED, frame)
+    return curves
+
+
+def draw_history(upper: Axes, lower: Axes, result: Result, frame: int) -> None:
+    """Energies [J] of a dynamic run: what gravity gives and what becomes of it above, what the cloth stores below."""
+    curves, over = balance(result), course(result)
+    for axes, looks in ((upper, GIVEN_AND_LOST), (lower, STORED)):
+        draw_curves(axes, over.values, curves, looks, "energy", "J")
+        if frame < len(over.values) - 1:
+            axes.axvline(over.values[frame], color=INK, linewidth=0.8, linestyle=(0, (2, 2)))
     upper.set_title("Energy (gravity: change from the start)", loc="left")
     lower.set_title("Energy stored in the cloth and its contact", loc="left")
     upper.tick_params(labelbottom=False)
-    _, prefix = scale_for(float(result.time[-1]))
-    lower.set_xlabel(f"time [{prefix}s]")
+    lower.set_xlabel(over.label)
 
 
 def draw_residual(upper: Axes, lower: Axes, result: Result) -> None:
@@ -121,30 +129,31 @@ def draw_residual(upper: Axes, lower: Axes, result: Result) -> None:
     _bars(lower, result)
 
 
-def _panel(axes: Axes, result: Result, curves: dict[str, np.ndarray], looks: dict[str, Look], frame: int) -> None:
+def draw_curves(
+    axes: Axes, x: np.ndarray, curves: Mapping[str, np.ndarray], looks: Mapping[str, Look], what: str, unit: str
+) -> None:
+    """`curves` over `x`, zeros left out, each with its label at its right end; `what` and its SI `unit` are the y axis'."""
     shown = {name: curves[name] for name in looks if name in curves and np.any(np.nan_to_num(curves[name]) != 0)}
     largest = max((float(np.nanmax(np.abs(c))) for c in shown.values()), default=0.0)
     factor, prefix = scale_for(largest)
-    time_factor, _ = scale_for(float(result.time[-1]))
-    time = result.time * time_factor
     ends: list[tuple[float, str, str]] = []
     if not shown:
         axes.annotate("none in this result", (0.5, 0.5), xycoords="axes fraction", ha="center", color=FAINT)
         axes.set_yticks([])
     for name, curve in shown.items():
         look = looks[name]
-        axes.plot(time, factor * curve, color=look.colour, linestyle=look.dashes, linewidth=1.6)
-        ends.append((float(factor * curve[-1]), look.label, look.colour))
-    axes.set_ylabel(f"energy [{prefix}J]")
+        axes.plot(x, factor * curve, color=look.colour, linestyle=look.dashes, linewidth=1.6)
+        finite = np.flatnonzero(np.isfinite(curve))
+        ends.append((float(factor * curve[finite[-1]]), look.label, look.colour))
+    axes.set_ylabel(f"{what} [{prefix}{unit}]")
     axes.axhline(0, color=FAINT, linewidth=0.6, zorder=0)
     axes.grid(True, color="#e9e9e9", linewidth=0.7)
-    if frame < len(time) - 1:
-        axes.axvline(time[frame], color=INK, linewidth=0.8, linestyle=(0, (2, 2)))
-    axes.set_xlim(time[0], time[-1] if time[-1] > time[0] else time[0] + 1)
-    _label_ends(axes, ends)
+    low, high = float(np.min(x)), float(np.max(x))
+    axes.set_xlim(low, high if high > low else low + 1)
+    label_ends(axes, ends)
 
 
-def _label_ends(axes: Axes, ends: Sequence[tuple[float, str, str]]) -> None:
+def label_ends(axes: Axes, ends: Sequence[tuple[float, str, str]]) -> None:
     """Names at the curves' right ends, pushed apart where they would overlap, each joined to its curve."""
     if not ends:
         return

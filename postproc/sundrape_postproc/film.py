@@ -79,7 +79,7 @@ def _captions(result: Result, moments: Sequence[Moment]) -> list[str]:
         return [
             f"load factor {m.time(result):.3f}" + (f", stage {int(stages[m.before])}" if several else "") for m in moments
         ]
-    if result.is_static and "times" not in result.case.get("relaxation", {}):
+    if not result.has_time:
         return [f"frame {m.before} of {len(result.time) - 1}" for m in moments]
     end = max(abs(float(m.time(result))) for m in moments)
     factor, prefix = scale_for(end)  # one unit and one number of digits: a text that jumps draws the eye

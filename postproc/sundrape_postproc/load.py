@@ -49,6 +49,8 @@ class Probe:
     time: np.ndarray  # (S,) [s]
     position: np.ndarray  # (S, 3) [m]
     velocity: np.ndarray | None  # (S, 3) [m/s]
+    load_factor: np.ndarray | None = None  # (S,), of an equilibrium path
+    node: int | None = None
 
 
 @dataclass(frozen=True)
@@ -78,6 +80,7 @@ class Result:
     frames: Mapping[str, np.ndarray] = field(default_factory=dict)  # (F, ...) the rest: "crossings", "reaction/left", ...
     sets: Mapping[str, np.ndarray] = field(default_factory=dict)  # nodes of each named set
     warnings: tuple[str, ...] = ()
+    critical: Mapping[str, np.ndarray] = field(default_factory=dict)  # (C, ...) limit points and bifurcations of a path
 
     @property
     def title(self) -> str:
@@ -104,6 +107,11 @@ class Result:
     @property
     def is_static(self) -> bool:
         return self.analysis in STATIC_ANALYSES
+
+    @property
+    def has_time(self) -> bool:
+        """Whether the frames' time is that of a motion: not the pseudo-time of a relaxation, nor a load factor."""
+        return not self.is_static or (self.analysis == "relaxation" and "equilibria" in self.statistics)
 
     @property
     def last_frame(self) -> int:
@@ -185,6 +193,7 @@ def _read(file: h5py.File, path: Path) -> Result:
         **{name: cut.get(name) for name in NODAL_SERIES if name != "position"},
         frames={name: cut[name] for name in cut if name not in NODAL_SERIES and not name.startswith("energy/")},
         sets={name: item[()].astype(np.int64) for name, item in _datasets(file["mesh"].get("sets"))},
+        critical=_columns(file.get("critical")),
         warnings=tuple(_plain(text) for text in file["warnings"][()]) if "warnings" in file else (),
     )
 
@@ -199,7 +208,9 @@ def _columns(group: h5py.Group | None) -> dict[str, np.ndarray]:
 def _probe(group: h5py.Group) -> Probe:
     columns = _columns(group)
     position = columns["position"]
-    return Probe(columns.get("time", np.arange(len(position), dtype=float)), position, columns.get("velocity"))
+    time = columns.get("time", np.arange(len(position), dtype=float))
+    node = group.attrs.get("node")
+    return Probe(time, position, columns.get("velocity"), columns.get("load_factor"), None if node is None else int(node))
 
 
 def _path(frames: h5py.Group, name: str, count: int) -> tuple[np.ndarray, np.ndarray] | None:

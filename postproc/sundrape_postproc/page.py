@@ -64,7 +64,9 @@ def strip_room(scale: Scale | None) -> Room:
 
 
 def caption(result: Result, frame: int) -> str:
-    if result.is_static:
+    if result.analysis == "arc-length":
+        return f"load factor {result.time[frame]:.3g}"
+    if not result.has_time:
         return "at rest" if frame == len(result.time) - 1 and result.status == "done" else f"frame {frame}"
     return f"t = {quantity(float(result.time[frame]), 's')}"
 
