@@ -32,6 +32,16 @@ class View:
     radius: float  # of what is shown [m]
     middle: np.ndarray  # (3,) of what is shown [m]
 
+    def pixels(self, points: np.ndarray, size: tuple[int, int]) -> np.ndarray:
+        """Where points (P, 3) [m] are seen (P, 2) in a picture of `size` pixels, from its lower left corner."""
+        back = self.eye - self.target
+        back = back / np.linalg.norm(back)
+        right = np.cross([0, 0, 1], back)
+        right = right / np.linalg.norm(right)
+        away = points - self.eye
+        seen = np.stack([away @ right, away @ np.cross(back, right)], axis=1) / -(away @ back)[:, None]
+        return np.array(size) / 2 + seen * size[1] / 2 / np.tan(np.radians(LENS / 2))
+
     def turned(self, angle: float) -> View:
         """From a camera that has gone round the middle by `angle` [rad], counter-clockwise from above."""
         c, s = np.cos(angle), np.sin(angle)

@@ -14,7 +14,7 @@ from mpl_toolkits.mplot3d.art3d import Line3DCollection
 from .errors import BAD_USE, PostprocError
 from .load import Result, load
 from .page import STYLE, new_figure
-from .report import read_report
+from .json_report import read_report
 
 FIRST_COLOUR, SECOND_COLOUR = "#0072B2", "#D55E00"  # Okabe & Ito
 

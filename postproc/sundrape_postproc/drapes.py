@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from .camera import Room
 from .errors import BAD_USE, PostprocError
 from .load import Result, load
-from .report import read_report
+from .json_report import read_report
 from .page import GUTTER, STYLE, new_figure, place_image
 from .units import quantity
 

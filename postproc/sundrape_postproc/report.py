@@ -1,26 +1,180 @@
-"""JSON reports that sundrape writes beside results."""
+"""What a report on a run says, ready to be laid out as a page for a browser or for paper."""
 
 from __future__ import annotations
 
 import json
-from pathlib import Path
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
-from .errors import BAD_USE, PostprocError
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
+
+from . import colours, page
+from .camera import View
+from .colours import Scale, draw_legend
+from .energies import facts
+from .honest import Failure, failure, numbers
+from .load import Result
+from .plot import KINDS, Panel, panels
+from .scene import Scene
+from .units import quantity
+
+PICTURE = (720, 540)  # pixels
+MARKED = (1080, 640)
+MARK = "#D55E00"
+STATUS = {
+    "done": "done",
+    "failed": "failed",
+    "interrupted": "interrupted",
+    "running": "not finished: still running, or killed",
+}
+UNITS = {"m": "m", "J": "J", "N": "N", "deg": "°", "seconds": "s"}  # endings of the names in /statistics
+DRAWN = ("energies", "load", "steps", "residual")
 
 
-def read_report(folder: Path, name: str, kind: str) -> dict[str, Any]:
-    """FOLDER/name as a dictionary.
+@dataclass(frozen=True)
+class Picture:
+    """An image with what is below it."""
 
-    Raises PostprocError: status 3 if it is missing or cannot be read, 2 if it is not JSON of this `kind`.
-    """
-    path = folder / name
+    caption: str
+    pixels: np.ndarray  # (height, width, 3) of bytes
+
+
+@dataclass(frozen=True)
+class Report:
+    """All of it, in the order of the page."""
+
+    title: str
+    status: str  # a key of STATUS
+    failure: Failure | None
+    failed_at: Picture | None
+    ran: list[tuple[str, str]]
+    pictures: list[Picture]
+    panels: list[Panel]
+    numbers: list[tuple[str, str, str]]
+    warnings: tuple[str, ...]
+    statistics: list[tuple[str, str, str]]
+    case: str  # TOML
+
+
+def report(result: Result) -> Report:
+    """Draws all pictures of a result."""
+    failed = failure(result)
+    return Report(
+        title=result.title,
+        status=result.status,
+        failure=failed,
+        failed_at=None if failed is None else _marked(result, failed),
+        ran=_ran(result),
+        pictures=_pictures(result),
+        panels=_panels(result),
+        numbers=numbers(result),
+        warnings=result.warnings,
+        statistics=statistics(result),
+        case=str(result.attributes.get("case", "")).strip(),
+    )
+
+
+def statistics(result: Result) -> list[tuple[str, str, str]]:
+    """Rows (name, value, description) of /statistics."""
     try:
-        report = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as trouble:
-        raise PostprocError(f"{path}: {trouble.strerror or trouble}") from trouble
-    except ValueError as trouble:
-        raise PostprocError(f"{path}: not a {kind}: {trouble}", BAD_USE) from trouble
-    if not isinstance(report, dict) or report.get("format") != kind:
-        raise PostprocError(f'{path}: not a {kind}: its "format" is not "{kind}"', BAD_USE)
-    return report
+        described: dict[str, Any] = json.loads(result.statistics.get("descriptions", "{}"))
+    except (TypeError, ValueError):
+        described = {}
+    rows = []
+    for name, value in sorted(result.statistics.items()):
+        if name != "descriptions":
+            rows.append((*_named(name, value), str(described.get(name, ""))))
+    return rows
+
+
+def _named(name: str, value: Any) -> tuple[str, str]:
+    """("deepest_penetration_m", 5e-6) -> ("deepest penetration", "5 µm")."""
+    stem, _, unit = name.rpartition("_")
+    if unit in UNITS and isinstance(value, int | float):
+        shown = f"{value:.3g}°" if unit == "deg" else quantity(float(value), UNITS[unit]) if value else f"0 {UNITS[unit]}"
+        return (stem.replace("_", " ") + (" time" if unit == "seconds" else ""), shown)
+    return name.replace("_", " "), f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def _ran(result: Result) -> list[tuple[str, str]]:
+    known = {"analysis": result.analysis, **dict(facts(result))}
+    known.pop("deepest penetration", None)
+    known.pop("status", None)
+    rows = [(name, known.pop(name)) for name in ("model", "analysis", "integrator") if name in known]
+    rows += list(known.items())
+    rows.append(("frames", str(len(result.time))))
+    if result.obstacles:
+        rows.append(("obstacles", ", ".join(f"{name} ({o.kind})" for name, o in result.obstacles.items())))
+    for name, key in (("computing time", "cpu_seconds"), ("wall-clock time", "wall_seconds")):
+        if key in result.statistics:
+            rows.append((name, quantity(float(result.statistics[key]), "s")))
+    version, form = (result.attributes.get(name, "?") for name in ("sundrape_version", "format_version"))
+    rows.append(("version", f"sundrape {version}, file format {form}"))
+    rows.append(("file", result.path.name))
+    return rows
+
+
+def _panels(result: Result) -> list[Panel]:
+    return panels(result, [name for name in DRAWN if any(True for _ in KINDS[name](result))])
+
+
+def _pictures(result: Result) -> list[Picture]:
+    """Start, middle and end: the cloth, and its strain."""
+    frames = result.telling_frames(3)
+    pictures = []
+    strain = colours.scale_of(result, "strain", frames)
+    for scale in (None, strain):
+        scene = Scene(result, frames, PICTURE, page.Room(bottom=0.16) if scale else page.Room(), scale)
+        for frame in frames:
+            pixels = scene.draw(frame)
+            caption = page.caption(result, frame)
+            if scale is not None:
+                pixels, caption = _with_legend(pixels, scale), f"{caption}, {scale.field.label}"
+            pictures.append(Picture(caption, pixels))
+        scene.close()
+    return pictures
+
+
+def _marked(result: Result, failed: Failure) -> Picture:
+    scene = Scene(result, [failed.frame], MARKED, page.Room(top=0.05, bottom=0.05))
+    pixels = scene.draw(failed.frame)
+    scene.close()
+    text = f"the last good state, frame {failed.frame}, {page.caption(result, failed.frame)}"
+    if failed.places:
+        pixels = _annotated(pixels, lambda figure: mark(figure, scene.view, failed.places, MARKED))
+        text += "; where it failed is marked"
+    return Picture(text, pixels)
+
+
+def mark(figure: Figure, view: View, places: tuple[tuple[str, np.ndarray], ...], size: tuple[int, int]) -> None:
+    """A ring about each place (3,) [m] in a picture of `size` that fills the figure, and its label."""
+    for row, (label, place) in enumerate(places):
+        x, y = view.pixels(place[None], size)[0] / size
+        halo = [withStroke(linewidth=4, foreground="white")]
+        ring = figure.add_artist(plt.Line2D([x], [y], marker="o", markersize=17, markerfacecolor="none", markeredgecolor=MARK,
+                                            markeredgewidth=2.2, path_effects=[withStroke(linewidth=4.5, foreground="white")]))  # fmt: skip
+        ring.set_clip_on(False)
+        side = -1 if x > 0.7 else 1
+        figure.text(x + side * 0.016, y + 0.03 + 0.035 * row, label, ha="left" if side > 0 else "right", fontsize=11,
+                    fontweight="bold", color=MARK, path_effects=halo)  # fmt: skip
+
+
+def _with_legend(pixels: np.ndarray, scale: Scale) -> np.ndarray:
+    return _annotated(pixels, lambda figure: draw_legend(figure, scale, (0.06, 0.085, 0.52, 0.026), 14))
+
+
+def _annotated(pixels: np.ndarray, draw: Callable[[Figure], None]) -> np.ndarray:
+    size = (pixels.shape[1], pixels.shape[0])
+    with plt.rc_context(page.STYLE):
+        figure = page.new_figure(size)
+        try:
+            page.place_image(figure, pixels, 0)
+            draw(figure)
+            figure.canvas.draw()
+            return np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()
+        finally:
+            plt.close(figure)
