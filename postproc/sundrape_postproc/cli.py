@@ -10,7 +10,7 @@ from importlib import import_module
 from . import commands
 from .errors import FILE_TROUBLE, INTERRUPTED, PostprocError
 
-NEEDED = "apt install python3-h5py python3-numpy python3-matplotlib python3-vtk9 xvfb"
+NEEDED = "apt install python3-h5py python3-numpy python3-matplotlib python3-shapely python3-vtk9 xvfb"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

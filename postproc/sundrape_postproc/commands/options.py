@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 COLOURS = ("weave", "strain", "curvature", "contact", "energy", "speed")
 
 
+LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
+
+
 def add_result(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("result", type=Path, metavar="RESULT.h5")
 
@@ -29,15 +32,15 @@ def add_output(parser: argparse.ArgumentParser, kinds: tuple[str, ...] = (".png"
         path = Path(text)
         if path.suffix.lower() not in kinds:
             raise PostprocError(f"{path}: its name must end in {' or '.join(kinds)}", BAD_USE)
-        if not path.resolve().parent.is_dir():
-            raise PostprocError(f"{path}: no such directory: {path.parent}")
-        return path
+        return writable(text)
 
     parser.add_argument("-o", "--output", type=output, required=True, metavar="FILE" + "|".join(kinds))
 
 
-def add_size(parser: argparse.ArgumentParser, default: tuple[int, int]) -> None:
-    parser.add_argument("--size", type=_size, default=default, metavar="WxH", help="in pixels (default %dx%d)" % default)
+def add_size(parser: argparse.ArgumentParser, default: tuple[int, int] | None = None) -> None:
+    """`--size`; without a default the command makes its page as large as it needs."""
+    usual = "as it needs" if default is None else "%dx%d" % default
+    parser.add_argument("--size", type=_size, default=default, metavar="WxH", help=f"in pixels (default {usual})")
 
 
 def add_frame(parser: argparse.ArgumentParser) -> None:
@@ -68,6 +71,26 @@ def scale_of(options: argparse.Namespace, result: Result, frames: Sequence[int])
 def processors() -> int:
     """That this process may use, at most 4: more processes wait for memory."""
     return min(len(os.sched_getaffinity(0)), 4)
+
+
+def writable(text: str) -> Path:
+    """A file to be, in a folder that is there."""
+    path = Path(text)
+    if not path.resolve().parent.is_dir():
+        raise PostprocError(f"{path}: no such directory: {path.parent}")
+    return path
+
+
+def length(text: str) -> float:
+    """A positive length [m]: "9 cm", "90mm", "0.09 m" or "0.09"."""
+    match = re.fullmatch(r"\s*([0-9.]+(?:[eE][-+]?\d+)?)\s*(mm|cm|m|in)?\s*", text)
+    try:
+        value = float(match[1]) * LENGTHS[match[2] or "m"] if match else 0.0
+    except ValueError:
+        value = 0.0
+    if not 0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a length such as 9cm, 90mm, 0.09m or 0.09")
+    return value
 
 
 def frame_of(wanted: int | None, result: Result) -> int:
