@@ -181,8 +181,9 @@ TEST_F(FabricLibrary, NamesWhatIsThereWhereAFabricIsNot) {
   EXPECT_EQ(unknown.line, 12);
   EXPECT_EQ(unknown.key, "material.fabric");
   EXPECT_EQ(unknown.message,
-            "there is no fabric 'coton-twill'; did you mean 'cotton-twill'? available: cotton-twill, "
-            "cotton-twill-polynomial, overhang-strip, polyester-plain-weave, tablecloth-cotton, weave");
+            "there is no fabric 'coton-twill'; did you mean 'cotton-twill'? available: "
+            "cotton-broadcloth, cotton-twill, cotton-twill-polynomial, overhang-strip, polyester-faille, "
+            "polyester-plain-weave, tablecloth-cotton, weave, wool-tropical");
   EXPECT_EQ(complaint("fabric = \"none.toml\"").message, "'none.toml' is not there (sought beside the case file)");
   EXPECT_EQ(complaint("fabric = 3").message, "a string is expected, not 3");
   EXPECT_NE(complaint("fabric = \"\"").message.find("there is no fabric ''"), std::string::npos);
