@@ -3,6 +3,7 @@
 Contact acts on nodes: between two nodes on either side of a table's edge the mesh cuts through the corner, by up to
 half a cell. The points that the picture adds between the nodes are therefore moved to the nearest face of the body, and
 those that were moved are spread evenly over it. Nodes inside a body, by the depth that contact allows, move with them.
+Layers on a body keep their order: the nearer a point, the more it is lifted, but never beyond one that was above it.
 """
 
 from __future__ import annotations
@@ -22,8 +23,8 @@ RINGS = 4  # of neighbours of a moved point that give way with it
 def drape_over(points: np.ndarray, quads: np.ndarray, obstacles: Iterable[Obstacle], lift: float) -> np.ndarray:
     """Points (P, 3) [m] of a fine mesh (E, 4) with all of them at least `lift` [m] outside the obstacles."""
     obstacles = list(obstacles)
-    outside = push_out(points, obstacles, lift)
-    moved = np.linalg.norm(outside - points, axis=1) > lift
+    outside = lift_off(points, obstacles, lift)
+    moved = np.linalg.norm(outside - points, axis=1) > lift * (1 + 1e-9)
     if not moved.any():
         return outside
     sides = [(k, (k + step) % 4) for k in range(4) for step in (1, 3)]
@@ -40,8 +41,25 @@ def drape_over(points: np.ndarray, quads: np.ndarray, obstacles: Iterable[Obstac
     return outside
 
 
+def lift_off(points: np.ndarray, obstacles: Iterable[Obstacle], lift: float) -> np.ndarray:
+    """Points (P, 3) [m], those on a body or inside it moved to `lift` [m] from it, those above it by less with height."""
+    fade = 3 * lift  # the lift falls more slowly than the height grows
+
+    def lifted(distance: np.ndarray) -> np.ndarray:
+        return np.where(distance < 0, lift, distance + lift * np.exp(-np.maximum(distance, 0) / fade))
+
+    return _displaced(points, obstacles, lifted)
+
+
 def push_out(points: np.ndarray, obstacles: Iterable[Obstacle], lift: float) -> np.ndarray:
     """Points (P, 3) [m], those inside a body or nearer to it than `lift` [m] moved to that distance from it."""
+    return _displaced(points, obstacles, lambda distance: np.maximum(distance, lift))
+
+
+def _displaced(
+    points: np.ndarray, obstacles: Iterable[Obstacle], placed: Callable[[np.ndarray], np.ndarray]
+) -> np.ndarray:
+    """Points (P, 3) [m] along their normals to where their distance [m] is that of `placed`, body after body."""
     points = np.array(points, dtype=float)
     for obstacle in obstacles:
         shape = _NEAREST.get(obstacle.kind)
@@ -49,8 +67,7 @@ def push_out(points: np.ndarray, obstacles: Iterable[Obstacle], lift: float) -> 
             continue
         local = (points - obstacle.position) @ obstacle.rotation
         distance, normal = shape(obstacle, local)
-        inside = distance < lift
-        points[inside] += ((lift - distance)[:, None] * normal)[inside] @ obstacle.rotation.T
+        points += ((placed(distance) - distance)[:, None] * normal) @ obstacle.rotation.T
     return points
 
 

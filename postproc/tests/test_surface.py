@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from sundrape_postproc.clearance import drape_over, push_out
+from sundrape_postproc.clearance import drape_over, lift_off, push_out
 from sundrape_postproc.load import Obstacle
 from sundrape_postproc.surface import SmoothSurface
 from tests.synthetic import EVERY_KIND, square
@@ -56,6 +56,17 @@ class Clearance(unittest.TestCase):
                 np.testing.assert_allclose(push_out(once, [body], 1e-3), once, atol=1e-9)
                 again = np.linalg.norm(push_out(once[moved], [body], 2e-3) - once[moved], axis=1)
                 np.testing.assert_allclose(again, 1e-3, atol=1e-9)
+
+    def test_layers_on_a_body_keep_their_order_and_two_thirds_of_their_distance(self):
+        ball = obstacle("sphere", {"radius": 0.05})
+        heights = np.linspace(0, 0.01, 60)
+        layers = np.outer(0.05 + heights, [0.6, 0, 0.8])
+        lifted = np.linalg.norm(lift_off(layers, [ball], 1e-3), axis=1) - 0.05
+        self.assertGreaterEqual(np.diff(lifted).min(), 2 / 3 * heights[1])
+        self.assertAlmostEqual(lifted[0], 1e-3, places=12)
+        self.assertLess(lifted[-1] - heights[-1], 0.04e-3)
+        inside = lift_off(np.array([[0, 0, 0.049]]), [ball], 1e-3)
+        np.testing.assert_allclose(inside, [[0, 0, 0.051]], atol=1e-12)
 
     def test_a_disc_ends_at_the_top_of_its_place(self):
         disc = obstacle("disc", {"radius": 0.05, "height": 0.1})
