@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
@@ -28,6 +28,11 @@ def polydata(points: np.ndarray, faces: np.ndarray) -> vtkPolyData:
     data.SetPoints(vertices)
     data.SetPolys(array)
     return data
+
+
+def points_of(data: vtkPolyData) -> np.ndarray:
+    """(N, 3) [m]; the data's own memory."""
+    return vtk_to_numpy(data.GetPoints().GetData())
 
 
 def with_normals(data: vtkPolyData, feature_angle: float | None = None) -> vtkPolyData:

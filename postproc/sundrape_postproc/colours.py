@@ -79,7 +79,7 @@ def draw_legend(figure: Figure, scale: Scale, box: tuple[float, float, float, fl
     axes = figure.add_axes(box)
     colours = ScalarMappable(Normalize(factor * scale.low, factor * scale.high), COLOUR_MAP)
     bar = figure.colorbar(colours, cax=axes, orientation="horizontal", extend=scale.extend, extendfrac=0.06)
-    bar.locator = MaxNLocator(5, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3)
+    bar.locator = MaxNLocator(4, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3)
     bar.update_ticks()
     bar.outline.set_linewidth(0.5)
     axes.tick_params(labelsize=text, length=2.5, width=0.5, pad=2)

@@ -71,7 +71,8 @@ def facts(result: Result) -> list[tuple[str, str]]:
     steps = len(next(iter(result.steps.values()), ()))
     if result.is_static:
         rows.append(("analysis", result.analysis))
-        rows.append(("iterations", _whole(steps) if steps else "–"))
+        name = "steps of the path" if result.analysis == "arc-length" else "iterations"
+        rows.append((name, _whole(steps) if steps else "–"))
     else:
         integrator = result.statistics.get("integrator") or result.case.get("dynamics", {}).get("integrator", "cvode")
         rows.append(("integrator", str(integrator).upper()))

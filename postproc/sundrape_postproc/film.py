@@ -19,7 +19,7 @@ from .colours import Scale, draw_legend
 from .errors import BAD_USE, PostprocError
 from .load import Result
 from .moments import Moment, at_frame, evenly_in_time
-from .page import DPI, STYLE
+from .page import DPI, STYLE, stage
 from .scene import Scene
 from .units import quantity, scale_for
 
@@ -74,11 +74,7 @@ def shots(result: Result, frames: Sequence[int], rate: float, speed: float, turn
 
 def _captions(result: Result, moments: Sequence[Moment]) -> list[str]:
     if result.analysis == "arc-length":
-        stages = result.frames.get("stage")
-        several = stages is not None and len(np.unique(stages)) > 1
-        return [
-            f"load factor {m.time(result):.3f}" + (f", stage {int(stages[m.before])}" if several else "") for m in moments
-        ]
+        return [f"load factor {m.time(result):.3f}{stage(result, m.before)}" for m in moments]
     if not result.has_time:
         return [f"frame {m.before} of {len(result.time) - 1}" for m in moments]
     end = max(abs(float(m.time(result))) for m in moments)

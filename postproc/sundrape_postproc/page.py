@@ -65,10 +65,16 @@ def strip_room(scale: Scale | None) -> Room:
 
 def caption(result: Result, frame: int) -> str:
     if result.analysis == "arc-length":
-        return f"load factor {result.time[frame]:.3g}"
+        return f"load factor {result.time[frame]:.3g}{stage(result, frame)}"
     if not result.has_time:
         return "at rest" if frame == len(result.time) - 1 and result.status == "done" else f"frame {frame}"
     return f"t = {quantity(float(result.time[frame]), 's')}"
+
+
+def stage(result: Result, frame: int) -> str:
+    """", stage 2" where an equilibrium path has several."""
+    stages = result.frames.get("stage")
+    return "" if stages is None or stages.max() < 2 else f", stage {int(stages[frame])}"
 
 
 def picture(

@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import MaxNLocator, NullFormatter
 
 from .course import course, step_course
 from .energies import FAINT, GIVEN_AND_LOST, INK, STORED, Look, balance, draw_curves
@@ -78,6 +78,8 @@ def place(figure: Figure, panel: Panel, left: float, bottom: float, cell: tuple[
     axes.grid(True, color="#e9e9e9", linewidth=0.7)
     axes.set_axisbelow(True)
     panel.draw(axes)
+    if axes.get_xlabel().endswith("[1]"):
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     return axes
 
 
@@ -130,6 +132,7 @@ def _steps(result: Result) -> Iterator[Panel]:
                         title_fontsize=8, fontsize=8, handletextpad=0.2, borderpad=0.2, alignment="left")  # fmt: skip
         positive = size[size > 0]
         if positive.size:  # whole decades, so that there are always two numbers on the axis
+            axes.yaxis.set_minor_formatter(NullFormatter())
             axes.set_ylim(10 ** np.floor(np.log10(0.9 * positive.min())), 10 ** np.ceil(np.log10(1.1 * positive.max())))
         axes.set_ylabel(f"{name} [{unit}]")
         axes.set_xlabel(over.label)

@@ -52,7 +52,7 @@ class Report:
     failure: Failure | None
     failed_at: Picture | None
     ran: list[tuple[str, str]]
-    pictures: list[Picture]
+    pictures: list[list[Picture]]  # rows
     panels: list[Panel]
     numbers: list[tuple[str, str, str]]
     warnings: tuple[str, ...]
@@ -122,28 +122,29 @@ def _panels(result: Result) -> list[Panel]:
     return panels(result, [name for name in DRAWN if any(True for _ in KINDS[name](result))])
 
 
-def _pictures(result: Result) -> list[Picture]:
-    """Start, middle and end: the cloth, and its strain."""
+def _pictures(result: Result) -> list[list[Picture]]:
+    """Start, middle and end: a row of the cloth, one of its strain."""
     frames = result.telling_frames(3)
-    pictures = []
+    rows = []
     strain = colours.scale_of(result, "strain", frames)
     for scale in (None, strain):
         scene = Scene(result, frames, PICTURE, page.Room(bottom=0.16) if scale else page.Room(), scale)
+        rows.append([])
         for frame in frames:
             pixels = scene.draw(frame)
             caption = page.caption(result, frame)
             if scale is not None:
                 pixels, caption = _with_legend(pixels, scale), f"{caption}, {scale.field.label}"
-            pictures.append(Picture(caption, pixels))
+            rows[-1].append(Picture(caption, pixels))
         scene.close()
-    return pictures
+    return rows
 
 
 def _marked(result: Result, failed: Failure) -> Picture:
     scene = Scene(result, [failed.frame], MARKED, page.Room(top=0.05, bottom=0.05))
     pixels = scene.draw(failed.frame)
     scene.close()
-    text = f"the last good state, frame {failed.frame}, {page.caption(result, failed.frame)}"
+    text = ", ".join(dict.fromkeys(["the last good state", f"frame {failed.frame}", page.caption(result, failed.frame)]))
     if failed.places:
         pixels = _annotated(pixels, lambda figure: mark(figure, scene.view, failed.places, MARKED))
         text += "; where it failed is marked"

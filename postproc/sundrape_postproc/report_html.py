@@ -70,7 +70,7 @@ def page(report: Report) -> str:
         _section("What ran", _table([(name, value) for name, value in report.ran])),
         _section("How far to trust it", _table(report.numbers)),
         _section("Warnings", _list(report.warnings)),
-        _section("The cloth", _grid("pictures", map(_picture, report.pictures))),
+        _section("The cloth", "".join(_grid("pictures", map(_picture, row)) for row in report.pictures)),
         _section("Over the run", _grid("plots", map(_plot, report.panels))),
         _section("Statistics of the solver", _table(report.statistics)),
         _section("The case", f"<details><summary>as it ran, in TOML</summary><pre>{_text(report.case)}</pre></details>"),

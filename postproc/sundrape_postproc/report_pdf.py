@@ -127,7 +127,8 @@ def _pages(report: Report) -> list[Figure]:
         sheets.heading("Warnings")
         sheets.rows([("–", warning) for warning in report.warnings], (0, 0.2))
     sheets.heading("The cloth")
-    sheets.pictures(report.pictures, 3)
+    for row in report.pictures:
+        sheets.pictures(row, 3)
     if report.panels:
         _plots(sheets, report)
     if report.statistics:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
@@ -51,7 +51,7 @@ class Scene:
         self._result, self._size, self._scale, self._quality = result, size, scale, quality
         self._surface = SmoothSurface(result.quads, result.position.shape[1])
         cloth = np.concatenate([result.position[k] for k in frames])
-        shown = [_points(bodies.body(o)) for k in frames for o in at_frame(k).obstacles(result) if o.kind != "plane"]
+        shown = [bodies.points_of(bodies.body(o)) for k in frames for o in at_frame(k).obstacles(result) if o.kind != "plane"]
         self.view = three_quarter(cloth, shown, size[0] / size[1], free, all_round)
         self._lowest = min(float(points[:, 2].min()) for points in [cloth, *shown])
         self._stage: Stage | None = None
@@ -96,14 +96,14 @@ class Scene:
             if obstacle.kind != "plane":
                 body = self._place(k, obstacle, moves=kept.path is not None)
                 if kept.path is not None:
-                    moving.append(_points(body))
+                    moving.append(bodies.points_of(body))
         self._stand(obstacles)
         assert self._ground is not None
         self._ground.cast(moving)
 
     def _place(self, k: int, obstacle: Obstacle, moves: bool) -> vtkPolyData:
         if k not in self._bodies:
-            self._bodies[k] = _actor(bodies.body(obstacle), BODY_COLOUR, specular=0.12)
+            self._bodies[k] = shaded(bodies.body(obstacle), BODY_COLOUR, specular=0.12)
             self._stage.renderer.AddActor(self._bodies[k])
         elif moves:
             self._bodies[k].GetMapper().SetInputData(bodies.body(obstacle))
@@ -119,7 +119,7 @@ class Scene:
         planes = [bodies.plane(o) for o in obstacles if o.kind == "plane"]
         self._ground = Ground(planes, self._lowest, self.view, self._quality.shadow_pixels)
         still = [k for k, o in enumerate(self._result.obstacles.values()) if o.kind != "plane" and o.path is None]
-        self._ground.stand([_points(self._bodies[k].GetMapper().GetInput()) for k in still])
+        self._ground.stand([bodies.points_of(self._bodies[k].GetMapper().GetInput()) for k in still])
         for actor in self._ground.actors:
             self._stage.renderer.AddActor(actor)
 
@@ -133,7 +133,7 @@ class _Cloth:
         self._quads = surface.quads
         rest = np.zeros((int(surface.quads.max()) + 1, 3))
         self._data = bodies.polydata(rest, surface.quads)
-        face = _actor(self._data, FACE_COLOUR, specular=0.04)
+        face = shaded(self._data, FACE_COLOUR, specular=0.04)
         if material is not None:
             lines = surface.interpolated(material) / thread_spacing(material)
             self._data.GetPointData().SetTCoords(numpy_to_vtk(np.ascontiguousarray(lines), deep=True))
@@ -152,7 +152,7 @@ class _Cloth:
         tube.SetInputData(self._cord)
         tube.SetRadius(HEM * radius)
         tube.SetNumberOfSides(6)
-        hem = _actor(None, HEM_COLOUR)
+        hem = shaded(None, HEM_COLOUR)
         hem.GetMapper().SetInputConnection(tube.GetOutputPort())
         self.actors = [face, hem]
 
@@ -178,11 +178,7 @@ def _lines(points: np.ndarray, pairs: np.ndarray) -> vtkPolyData:
     return lines
 
 
-def _points(data: vtkPolyData) -> np.ndarray:
-    return vtk_to_numpy(data.GetPoints().GetData())
-
-
-def _actor(data: vtkPolyData | None, colour: tuple[float, float, float], specular: float = 0.0) -> vtkActor:
+def shaded(data: vtkPolyData | None, colour: tuple[float, float, float], specular: float = 0.0) -> vtkActor:
     mapper = vtkPolyDataMapper()
     if data is not None:
         mapper.SetInputData(data)

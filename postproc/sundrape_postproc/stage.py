@@ -34,8 +34,9 @@ MOVING = Quality(2, False, 384, 2)
 class Stage:
     """A renderer in its window."""
 
-    def __init__(self, size: tuple[int, int], quality: Quality, radius: float) -> None:
-        """`size`: pixels across and down; `radius`: of what is shown [m]."""
+    def __init__(self, size: tuple[int, int], quality: Quality, radius: float, see_through: bool = False) -> None:
+        """`size`: pixels across and down; `radius`: of what is shown [m]; `see_through`: things behind translucent ones show,
+        layer by layer, without ambient occlusion."""
         self._size, self._quality = size, quality
         self.renderer = vtkRenderer()
         self.renderer.GradientBackgroundOn()
@@ -47,7 +48,12 @@ class Stage:
         self._window.SetMultiSamples(0)
         self._window.SetSize(*(quality.supersampling * n for n in size))
         self._window.AddRenderer(self.renderer)
-        self._occlusion = _occlusion(radius) if quality.occlusion else None
+        if see_through:
+            self._window.SetAlphaBitPlanes(True)
+            self.renderer.UseDepthPeelingOn()
+            self.renderer.SetMaximumNumberOfPeels(8)
+            self.renderer.SetOcclusionRatio(0.0)
+        self._occlusion = _occlusion(radius) if quality.occlusion and not see_through else None
 
     def image(self, view: View) -> np.ndarray:
         """What is seen, (height, width, 3) of bytes, top row first."""

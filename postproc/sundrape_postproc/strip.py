@@ -43,7 +43,7 @@ def strip(result: Result, count: int, size: tuple[int, int]) -> Figure:
         for probe in result.probes.values():
             axes.plot(*(factor * probe.position[:, [0, 2]]).T, color="#555555", linewidth=0.7, linestyle=(0, (4, 2)))
         low, high = axes.dataLim.min, axes.dataLim.max
-        _silhouettes(axes, result, factor)
+        silhouettes(axes, result, factor)
         margin = 0.06 * float(max(high - low))
         axes.set_xlim(low[0] - margin, high[0] + margin)
         axes.set_ylim(low[1] - margin, high[1] + margin)
@@ -56,14 +56,14 @@ def strip(result: Result, count: int, size: tuple[int, int]) -> Figure:
         return figure
 
 
-def _silhouettes(axes: Axes, result: Result, factor: float) -> None:
-    """Cuts of the obstacles with the plane y = middle of the cloth."""
+def silhouettes(axes: Axes, result: Result, factor: float, frame: int = 0) -> None:
+    """Cuts of the obstacles, where they stand at a frame, with the plane y = middle of the cloth at the start."""
     from vtkmodules.vtkCommonDataModel import vtkPlane
     from vtkmodules.vtkFiltersCore import vtkCutter, vtkStripper
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     middle = float(result.position[0, :, 1].mean())
-    for obstacle in result.obstacles.values():
+    for obstacle in (kept.at(frame) for kept in result.obstacles.values()):
         if obstacle.kind == "plane":
             point, normal = bodies.plane(obstacle)
             if abs(normal[1]) < 0.999:

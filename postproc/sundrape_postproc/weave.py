@@ -9,6 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkTexture
 
 PIXELS = 512
 THREADS = 16  # across one tile
+NET_LINE, BETWEEN = 0.04, 0.30  # half width of a net's lines over the tile; opacity between them
 LINE = 0.022  # width of the marking line, over the tile
 
 
@@ -48,6 +49,18 @@ def weave_texture(filtering: int) -> vtkTexture:
 def line_texture(filtering: int) -> vtkTexture:
     """The marking lines alone: under a field's colours the threads would only be noise."""
     return _marked(np.ones((PIXELS, PIXELS)), filtering)
+
+
+def net_texture(filtering: int) -> vtkTexture:
+    """Lines of a net, and little between them: what is behind shows through."""
+    s = (np.arange(PIXELS) + 0.5) / PIXELS
+    lines = np.zeros((PIXELS, PIXELS))
+    for along in np.meshgrid(s, s):
+        distance = np.minimum(along, 1 - along)
+        lines = np.maximum(lines, np.clip(1.5 - distance / NET_LINE, 0, 1))
+    rgba = np.full((PIXELS, PIXELS, 4), 255, dtype=np.uint8)
+    rgba[..., 3] = 255 * (BETWEEN + (1 - BETWEEN) * lines)
+    return image_texture(rgba, True, filtering)
 
 
 def _marked(shade: np.ndarray, filtering: int) -> vtkTexture:

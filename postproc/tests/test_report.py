@@ -11,8 +11,9 @@ from dataclasses import replace
 import h5py
 import numpy as np
 
-from sundrape_postproc import honest, load
+from sundrape_postproc import honest, load, plot, report, report_html, report_pdf
 from sundrape_postproc.camera import three_quarter
+from sundrape_postproc.errors import PostprocError
 from tests.synthetic import TABLE, bowl, write_result
 from tests.test_pictures import Pictures
 
@@ -32,39 +33,64 @@ class Reports(Pictures):
             file["warnings"] = np.array(["it is <tight>"], dtype=h5py.string_dtype())
             file["statistics"].attrs["descriptions"] = '{"newton_iterations": "iterations of Newton\'s method"}'
 
-    def test_a_page_has_all_of_a_run_in_one_file(self):
-        path = self.folder / "run.html"
-        self.done("report", self.result, "-o", path)
-        page = path.read_text()
-        self.assertRegex(page, r"<title>Tablecloth on a square table</title>")
-        self.assertRegex(page, r'class="status done"')
-        self.assertNotIn("failure", page.split("<body>")[1])
-        for text in ("CVODE", "49 nodes", "sundrape 0.1.0", "energy lost by the method", "[relaxation]", "@media print"):
-            self.assertIn(text, page)
-        sources = re.findall(r'(?:src|href)="?([^" >]+)|url\(([^)]+)\)|@import', page)
-        self.assertEqual(len(sources), 6 + 4)  # cloth and strain at three times; energies, step size, order
-        self.assertTrue(all(source[0].startswith("data:image/") for source in sources))
-        self.assertNotRegex(page, r"<script|<link")
-
-    def test_a_failed_run_says_what_and_where_and_what_is_said_is_text(self):
+    def test_a_failed_run_says_what_and_where_in_one_file(self):
         self.broken(TORN)
         path = self.folder / "run.html"
         self.done("report", self.result, "-o", path)
         page = path.read_text()
+        self.assertIn("<title>Tablecloth on a square table</title>", page)
+        self.assertIn('class="status failed"', page)
         for text in ("the cloth tears", "node 8 at (0.04006, -0.04009, 1.199e-05) m", "t = 0.124 s", "it is &lt;tight&gt;"):
             self.assertIn(text, page)
         self.assertIn("the last good state, frame 3, t = 300 ms; where it failed is marked", page)
         self.assertIn("iterations of Newton&#x27;s method", page)
+        for text in ("CVODE", "49 nodes", "sundrape 0.1.0", "energy lost by the method", "[relaxation]", "@media print"):
+            self.assertIn(text, page)
+        sources = re.findall(r'(?:src|href)="?([^" >]+)|url\(([^)]+)\)|@import', page)
+        self.assertEqual(len(sources), 1 + 6 + 4)  # the failure; cloth and strain at three times; energies, step size, order
+        self.assertTrue(all(source[0].startswith("data:image/") for source in sources))
+        self.assertNotRegex(page, r"<script|<link")
+
+    def drawn_by_hand(self) -> report.Report:
+        """A report without the pictures in space, which take their time."""
+        result = load(self.result)
+        grey = report.Picture("t = 0 s", np.full((54, 72, 3), 128, np.uint8))
+        failed = honest.failure(result)
+        return report.Report(
+            title=result.title,
+            status=result.status,
+            failure=failed,
+            failed_at=failed and grey,
+            ran=[("model", result.model)],
+            pictures=[[grey, grey, grey]],
+            panels=plot.panels(result, ["energies"]),
+            numbers=honest.numbers(result),
+            warnings=result.warnings,
+            statistics=report.statistics(result),
+            case=result.attributes["case"],
+        )
+
+    def test_a_page_on_a_run_that_is_done_has_no_failure(self):
+        page = report_html.page(self.drawn_by_hand())
+        self.assertIn('class="status done"', page)
+        self.assertNotIn("failure", page.split("<body>")[1])
 
     def test_paper(self):
         self.broken(TORN)
         path = self.folder / "run.pdf"
-        self.done("report", self.result, "-o", path)
+        report_pdf.write(self.drawn_by_hand(), path)
         self.assertGreaterEqual(len(re.findall(rb"/Type\s*/Page\b", path.read_bytes())), 2)
         if shutil.which("pdftotext"):
             text = subprocess.run(["pdftotext", path, "-"], capture_output=True, text=True, check=True).stdout
             for said in ("the cloth tears", "it is <tight>", "deepest penetration", "[relaxation]"):
                 self.assertIn(said, text)
+        with self.assertRaisesRegex(PostprocError, "cannot be written"):
+            report_pdf.write(self.drawn_by_hand(), self.folder)
+
+    def test_statistics_have_units(self):
+        result = replace(load(self.result), statistics={"cpu_seconds": 0.25, "deepest_penetration_m": 5e-6, "steps": 7})
+        rows = [row[:2] for row in report.statistics(result)]
+        self.assertEqual(rows, [("cpu time", "250 ms"), ("deepest penetration", "5 µm"), ("steps", "7")])
 
     def test_refusals(self):
         self.refused(2, "must end in .html or .pdf", "report", self.result, "-o", self.png)
