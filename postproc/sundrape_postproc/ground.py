@@ -8,7 +8,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-from . import bodies
+from . import bodies, shapes
 from .camera import View
 from .weave import image_texture
 
@@ -66,7 +66,7 @@ def _fade(pixels: int) -> np.ndarray:
 
 
 def _quad(centre: np.ndarray, normal: np.ndarray, half: float) -> vtkActor:
-    frame = bodies.frame_of(normal) if abs(normal[2]) < 0.999 else np.eye(3)
+    frame = shapes.frame_of(normal) if abs(normal[2]) < 0.999 else np.eye(3)
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=float)
     data = bodies.polydata(centre + half * corners @ frame[:, :2].T, np.arange(4)[None])
     data.GetPointData().SetTCoords(numpy_to_vtk((corners + 1) / 2, deep=True))

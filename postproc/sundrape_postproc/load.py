@@ -50,7 +50,7 @@ class Probe:
     position: np.ndarray  # (S, 3) [m]
     velocity: np.ndarray | None  # (S, 3) [m/s]
     load_factor: np.ndarray | None = None  # (S,), of an equilibrium path
-    node: int | None = None
+    node: int | None = None  # which one it is; None in files that do not say
 
 
 @dataclass(frozen=True)
@@ -210,7 +210,7 @@ def _probe(group: h5py.Group) -> Probe:
     position = columns["position"]
     time = columns.get("time", np.arange(len(position), dtype=float))
     node = group.attrs.get("node")
-    return Probe(time, position, columns.get("velocity"), columns.get("load_factor"), None if node is None else int(node))
+    return Probe(time, position, columns.get("velocity"), columns.get("load_factor"), None if node is None else int(_plain(node)))
 
 
 def _path(frames: h5py.Group, name: str, count: int) -> tuple[np.ndarray, np.ndarray] | None:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from . import bodies, page
+from . import bodies, page, shapes
 from .camera import Room, View, three_quarter
 from .clearance import drape_over
 from .energies import Look
@@ -23,8 +23,9 @@ from .scene import BODY_COLOUR, LIFT, shaded
 from .stage import STILL, Stage
 from .strip import middle_line, silhouettes
 from .surface import SmoothSurface
+from .threads import thread_spacing
 from .units import quantity, scale_for
-from .weave import net_texture, thread_spacing
+from .weave import net_texture
 
 SHARE = 0.58  # of the width for the view in space
 LOOKS = (
@@ -133,7 +134,7 @@ def in_space(drawn: Sequence[Layer], size: tuple[int, int]) -> tuple[np.ndarray,
         thrown.append(points)
     for data in solid:
         stage.renderer.AddActor(shaded(data, BODY_COLOUR, specular=0.12))
-    planes = [bodies.plane(o) for o in obstacles if o.kind == "plane"]
+    planes = [shapes.plane(o) for o in obstacles if o.kind == "plane"]
     lowest = min(float(points[:, 2].min()) for points in [*shapes, *surfaces])
     ground = Ground(planes, lowest, view, STILL.shadow_pixels)
     ground.stand(surfaces)

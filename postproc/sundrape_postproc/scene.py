@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
-from . import bodies, fields
+from . import bodies, fields, shapes
 from .camera import NO_ROOM, Room, View, three_quarter
 from .clearance import drape_over
 from .colours import Scale
@@ -20,7 +20,8 @@ from .load import Obstacle, Result
 from .moments import Moment, at_frame
 from .stage import STILL, Quality, Stage
 from .surface import SmoothSurface
-from .weave import line_texture, thread_spacing, weave_texture
+from .threads import thread_spacing
+from .weave import line_texture, weave_texture
 
 LIFT = 0.005  # of the drawn cloth off its obstacles, over the radius of what is shown
 HEM = 0.0016  # radius of the cord along the cloth's edge, over the same
@@ -116,7 +117,7 @@ class Scene:
             return
         for actor in self._ground.actors if self._ground else []:
             self._stage.renderer.RemoveActor(actor)
-        planes = [bodies.plane(o) for o in obstacles if o.kind == "plane"]
+        planes = [shapes.plane(o) for o in obstacles if o.kind == "plane"]
         self._ground = Ground(planes, self._lowest, self.view, self._quality.shadow_pixels)
         still = [k for k, o in enumerate(self._result.obstacles.values()) if o.kind != "plane" and o.path is None]
         self._ground.stand([bodies.points_of(self._bodies[k].GetMapper().GetInput()) for k in still])

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from . import bodies
+from . import bodies, shapes
 from .load import Result
 from .page import DPI, STYLE
 from .units import quantity, scale_for
@@ -65,7 +65,7 @@ def silhouettes(axes: Axes, result: Result, factor: float, frame: int = 0) -> No
     middle = float(result.position[0, :, 1].mean())
     for obstacle in (kept.at(frame) for kept in result.obstacles.values()):
         if obstacle.kind == "plane":
-            point, normal = bodies.plane(obstacle)
+            point, normal = shapes.plane(obstacle)
             if abs(normal[1]) < 0.999:
                 along = np.array([normal[2], -normal[0]])
                 start = factor * point[[0, 2]]

@@ -13,13 +13,6 @@ NET_LINE, BETWEEN = 0.04, 0.30  # half width of a net's lines over the tile; opa
 LINE = 0.022  # width of the marking line, over the tile
 
 
-def thread_spacing(material: np.ndarray) -> float:
-    """A round length [m], 1, 2 or 5 times a power of ten, near a twentieth of the cloth: (N, 2) coordinates [m]."""
-    target = float(np.ptp(material, axis=0).max()) / 18
-    decade = 10 ** np.floor(np.log10(target))
-    return float(min((decade * m for m in (1, 2, 5, 10)), key=lambda length: abs(np.log(length / target))))
-
-
 def image_texture(pixels: np.ndarray, repeat: bool, filtering: int = 1) -> vtkTexture:
     """A texture of an image (height, width, 3 or 4) of bytes, bottom row first."""
     height, width, channels = pixels.shape
