@@ -23,6 +23,7 @@ from .threads import thread_spacing
 
 TEMPLATE = Path(__file__).with_name("viewer.html")
 TITLE_MARK, DATA_MARK = "<!-- sundrape: title -->", "<!-- sundrape: data -->"
+NEGATIVE = 0.1  # of the upper end of the colours: values farther below zero are shown as such
 ROBUST = 99.5  # per cent of all values of a field that its colours cover
 ROWS = 2000  # of a probe's curve, at most
 STATIC_DURATION = 8.0  # of all frames of a static analysis at speed 1 [s]
@@ -120,8 +121,8 @@ def shown_fields(result: Result) -> list[ShownField]:
             continue
         smallest, largest = float(finite.min()), float(finite.max())
         low, high = np.percentile(finite, [100 - ROBUST, ROBUST])
-        low = min(0.0, float(low))
-        high = float(high) if high > low + 1e-3 * (largest - low) else largest
+        high = float(high) if high > 1e-3 * largest else largest
+        low = float(low) if low < -NEGATIVE * high else 0.0  # a little below zero is zero: the colours begin there
         if high - low > 1e-12 * max(abs(high), abs(low), 1e-300) and largest - smallest > 1e-9 * max(abs(largest), 1e-6):
             shown.append(ShownField(field, low, high, smallest, largest, quantise_field(values, low, high)))
     return shown

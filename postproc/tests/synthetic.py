@@ -207,6 +207,25 @@ def swing(cells: int = 20, frames: int = 25) -> Motion:
     return Motion(reference, quads, time, position, np.zeros_like(position), energies)
 
 
+def waving(cells: int = 100, frames: int = 200) -> Motion:
+    """A flag of 40 cm in the wind, held at the edge x = 0: waves of three lengths run along it; 2 s."""
+    nodes, quads = square(0.4, cells)
+    reference = nodes + [0.2, 0, 0]
+    time = np.linspace(0, 2, frames)
+    x, y = reference[:, 0], reference[:, 1]
+    t = time[:, None]
+    height = 0.0
+    sway = 0.0
+    for length, speed, size, lean in ((0.31, 0.9, 0.10, 2.0), (0.13, 0.6, 0.035, -3.1), (0.057, 0.4, 0.012, 5.3)):
+        phase = 2 * np.pi * (x - speed * t) / length + lean * y / 0.4
+        height = height + size * x * np.sin(phase)
+        sway = sway + 0.4 * size * x * np.cos(0.7 * phase + 1)
+    position = np.stack([np.broadcast_to(x - 0.1 * x * x, height.shape), y + sway, height], axis=2)
+    velocity = np.gradient(position, time, axis=0)
+    energies = {name: np.sum(velocity**2, axis=(1, 2)) * 1e-6 * (k + 1) for k, name in enumerate(ENERGIES)}
+    return Motion(reference, quads, time, position, velocity, energies)
+
+
 def write_result(
     path: Path,
     motion: Motion,

@@ -76,7 +76,7 @@ class Viewer {
     const radius = radiusAbout(points, centre);
     this.scene = new Scene();
     this.material = clothMaterial(about.colours, hasThreads);
-    this.ground = new Ground(about, lowestOf(about, cloth, bodies), { centre, radius });
+    this.ground = new Ground(about, lowestOf(about, bodies), { centre, radius });
     const back = Math.min(0.5 * meanSide(cloth), 0.03 * radius);
     for (const body of bodies) body.dress(back);
     const things = [

@@ -81,24 +81,18 @@ export function fit(points, aspect) {
   const point = new Vector3();
   let distance = 0;
   for (let round = 0; round < 4; round += 1) { // centre what is seen, then step back until all is in; settles at once
-    distance = 0;
     const local = [];
+    distance = 0;
     for (let k = 0; k < points.length; k += 3) {
       point.fromArray(points, k).sub(target);
-      const at = [point.dot(right), point.dot(up), point.dot(back)];
-      local.push(at);
-      distance = Math.max(distance, Math.abs(at[0]) / (tangent * aspect) + at[2], Math.abs(at[1]) / tangent + at[2]);
+      const [x, y, z] = [point.dot(right), point.dot(up), point.dot(back)];
+      local.push({ x, y, z });
+      distance = Math.max(distance, Math.abs(x) / (tangent * aspect) + z, Math.abs(y) / tangent + z);
     }
-    const low = [Infinity, Infinity];
-    const high = [-Infinity, -Infinity];
-    for (const [x, y, z] of local) {
-      [x, y].forEach((value, axis) => {
-        const seen = (value / (distance - z)) * distance;
-        low[axis] = Math.min(low[axis], seen);
-        high[axis] = Math.max(high[axis], seen);
-      });
+    for (const [name, axis] of [['x', right], ['y', up]]) {
+      const seen = local.map((at) => (at[name] / (distance - at.z)) * distance);
+      target.addScaledVector(axis, (Math.min(...seen) + Math.max(...seen)) / 2);
     }
-    target.addScaledVector(right, (low[0] + high[0]) / 2).addScaledVector(up, (low[1] + high[1]) / 2);
   }
   distance = Math.max(distance, 1e-6);
   return { eye: target.clone().addScaledVector(back, distance), target, radius: radiusAbout(points, target) };

@@ -10,6 +10,7 @@ export function showHeading(about) {
   const trouble = byId('trouble');
   if (about.status === 'failed') trouble.textContent = `The run failed: ${about.message || 'the file does not say why'}`;
   if (about.status === 'interrupted') trouble.textContent = about.message || 'The run was interrupted.';
+  trouble.classList.toggle('mild', about.status === 'interrupted');
   trouble.hidden = trouble.textContent === '';
   const { length } = about.warnings;
   byId('info-button').textContent = length === 0 ? 'Info' : `Info · ${length} warning${length > 1 ? 's' : ''}`;

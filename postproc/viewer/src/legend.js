@@ -1,7 +1,7 @@
 // The bar of colours with its ticks in physical units.
 import { byId, make } from './dom.js';
 import { colourBytes } from './look.js';
-import { decimals, decimalsOf, scaleFor, ticks } from './units.js';
+import { decimals, decimalsOf, digits, scaleFor, ticks } from './units.js';
 
 /** The factor and the unit in which a field is shown. */
 export const scaleOf = (field) => scaleFor(Math.max(Math.abs(field.low), Math.abs(field.high)), field.unit);
@@ -17,8 +17,8 @@ export function showLegend(field, colours) {
   const marks = ticks(low, high, 4);
   const places = decimalsOf(marks);
   const labels = marks.map((mark) => ({ at: (mark - low) / (high - low), text: decimals(mark, places) }));
-  if (field.cutAbove) endLabel(labels, 1, `≥ ${decimals(high, places + (decimals(high, places) === '0' ? 1 : 0))}`);
-  if (field.cutBelow) endLabel(labels, 0, `≤ ${decimals(low, places)}`);
+  if (field.cutAbove) endLabel(labels, 1, `≥ ${digits(high, 2)}`);
+  if (field.cutBelow) endLabel(labels, 0, `≤ ${digits(low, 2)}`);
   const spans = labels.map(({ at, text }) => make('span', { style: `left:${(100 * at).toFixed(2)}%` }, text));
   byId('legend-ticks').replaceChildren(...spans);
 }

@@ -134,6 +134,8 @@ export function patchMaterial(shadow, share, opacity) {
         float inside = step(0.0, at.x) * step(at.x, 1.0) * step(0.0, at.y) * step(at.y, 1.0);
         float dark = inside * texture2D(shadow, at).r;
         float alpha = dark + fade * (1.0 - dark);
+        float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+        alpha += step(1e-3, alpha) * (grain - 0.5) / 160.0; // or the fading shows as rings of equal bytes
         vec3 colour = mix(vec3(0.87, 0.875, 0.88), vec3(0.20, 0.22, 0.26), dark / max(alpha, 1e-4));
         gl_FragColor = vec4(colour, alpha);
       }

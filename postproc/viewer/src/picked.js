@@ -1,6 +1,6 @@
 // The picked node: choosing it, its marker and its card; markers of the probes too.
 import { byId, make } from './dom.js';
-import { decimals, digits, scaleFor } from './units.js';
+import { decimals } from './units.js';
 import { pick, toScreen } from './picking.js';
 import { row } from './info.js';
 import { scaleOf } from './legend.js';
@@ -94,6 +94,7 @@ export class Picked {
       if (node === null) continue;
       const { x, y, front } = toScreen(cloth.position, node, eye.camera, size.width, size.height);
       element.hidden = !front;
+      element.classList.toggle('left', x > size.width - 90); // its name stays in the picture
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
   }
