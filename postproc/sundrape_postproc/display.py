@@ -34,7 +34,7 @@ def ensure_display() -> None:
     authority = folder / "authority"
     authority.write_bytes(_cookie())
     told, tell = os.pipe()
-    process = subprocess.Popen(
+    subprocess.Popen(  # ends when we are dead, and not before: windows that are left open would go down with it
         [server, "-displayfd", str(tell), "-auth", str(authority), "-nolisten", "tcp", "-screen", "0", "1280x1024x24"],
         pass_fds=(tell,),
         stdin=subprocess.DEVNULL,
@@ -44,18 +44,11 @@ def ensure_display() -> None:
         preexec_fn=_die_with_parent,
     )
     os.close(tell)
-    owner = os.getpid()
-    atexit.register(lambda: _end(process) if os.getpid() == owner else None)  # not when a forked process ends
     with os.fdopen(told) as answer:
         number = answer.readline().strip()
     if not number:
         raise PostprocError(f"{server} does not start a display", FILE_TROUBLE)
     os.environ.update(DISPLAY=f":{number}", XAUTHORITY=str(authority))
-
-
-def _end(process: subprocess.Popen) -> None:
-    process.terminate()
-    process.wait()
 
 
 def _cookie() -> bytes:
