@@ -2,10 +2,9 @@
 
 A round specimen lies on a smaller round support, and what overhangs hangs down. With parallel light along gravity,
 
-    drape coefficient = (shadow - support) / (specimen - support)        of the three areas, at rest (ISO 9073-9; G. E. Cusick,
-                                                                         Journal of the Textile Institute 59, 1968)
+    drape coefficient = (shadow - support) / (specimen - support)        of the three areas
 
-is 1 of a board and 0 of a cloth that hangs straight down. The shadow is that of the smooth surface through the nodes, as
+(ISO 9073-9; G. E. Cusick, Journal of the Textile Institute 59, 1968) is 1 of a board and 0 of a cloth that hangs straight down. The shadow is that of the smooth surface through the nodes, as
 pictures have it: chords between the rim's nodes would take up to a per cent off every area.
 """
 
@@ -197,14 +196,16 @@ def specimen(result: Result) -> tuple[float, bool]:
 
 def _support(result: Result, frame: int, view: View, radius: float | None) -> Support:
     """The widest upright disc or cylinder; where `radius` is given and there is none, about the middle of the first frame."""
-    plates = [_plate(obstacle.at(frame)) for obstacle in result.obstacles.values() if obstacle.kind in ("disc", "cylinder")]
+    round_ones = [obstacle for obstacle in result.obstacles.values() if obstacle.kind in ("disc", "cylinder")]
+    plates = [_plate(obstacle.at(frame)) for obstacle in round_ones]
     upright = [support for support, axis in plates if abs(axis @ view.down) > UPRIGHT]
     widest = max(upright, key=lambda support: support.radius, default=None)
     if radius is not None:
         centre = result.position[0].mean(axis=0) if widest is None else widest.centre
         return Support(radius, centre)
     if widest is None:
-        raise PostprocError(f"{result.path}: no upright disc or cylinder to be the support; name its radius by --support", BAD_USE)
+        text = f"{result.path}: no upright disc or cylinder to be the support; name its radius by --support"
+        raise PostprocError(text, BAD_USE)
     return widest
 
 

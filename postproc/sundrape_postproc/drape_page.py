@@ -25,6 +25,7 @@ LOOKS = (  # Okabe & Ito, told apart in grey by the dashes and by the label at t
     Look("", "#555555", (0, (3, 1.2, 1, 1.2))),
 )
 SHADOW = "#d5dce2"
+SUPPORT_DASHES, SPECIMEN_DASHES = (0, (1.2, 1.6)), (0, (5, 2.5))
 
 
 def page(title: str, drapes: Sequence[Drape], size: tuple[int, int]) -> Figure:
@@ -84,9 +85,10 @@ def _row(figure: Figure, drapes: Sequence[Drape]) -> None:
 def _plan(axes: Axes, drape: Drape, look: Look, reach: float) -> None:
     """The shadow from above with the circles of specimen and support; folds have a mark and a number."""
     axes.fill(*(CM * drape.outline.T), facecolor=SHADOW, edgecolor=look.colour, linewidth=1.6)
-    axes.add_patch(Circle((0, 0), CM * drape.support_radius, fill=False, color=INK, linewidth=1.0, linestyle=(0, (1.2, 1.6))))
-    axes.add_patch(Circle((0, 0), CM * drape.specimen_radius, fill=False, color=INK, linewidth=1.0, linestyle=(0, (5, 2.5))))
-    axes.annotate("support", (0, -CM * drape.support_radius), (0, 4), textcoords="offset points", ha="center", fontsize=7.5)
+    for radius, dashes in ((drape.support_radius, SUPPORT_DASHES), (drape.specimen_radius, SPECIMEN_DASHES)):
+        axes.add_patch(Circle((0, 0), CM * radius, fill=False, color=INK, linewidth=1.0, linestyle=dashes))
+    at_support = (0, -CM * drape.support_radius)
+    axes.annotate("support", at_support, (0, 4), textcoords="offset points", ha="center", fontsize=7.5)
     specimen = "specimen" if drape.is_disc else "circle of the\nspecimen's area"
     axes.text(0.99, 0.012, specimen, transform=axes.transAxes, ha="right", va="bottom", fontsize=7.5)
     at = drape.folds.peaks
@@ -121,10 +123,11 @@ def _profiles(axes: Axes, drapes: Sequence[Drape], looks: Sequence[Look]) -> Non
     for name in ("specimen", "support"):
         radii = {round(CM * getattr(drape, f"{name}_radius"), 6) for drape in drapes}
         if len(radii) == 1:
-            dashes = (0, (5, 2.5)) if name == "specimen" else (0, (1.2, 1.6))
+            dashes = SPECIMEN_DASHES if name == "specimen" else SUPPORT_DASHES
             lines.append((radii.pop(), name))
             axes.axhline(lines[-1][0], color=INK, linewidth=1.0, linestyle=dashes)
-    values = [line for line, _ in lines] + [CM * r for drape in drapes for r in (drape.radius.min(), drape.radius.max())]
+    values = [line for line, _ in lines]
+    values += [CM * r for drape in drapes for r in (drape.radius.min(), drape.radius.max())]
     room = 0.09 * (max(values) - min(values))
     axes.set_ylim(min(values) - room, max(values) + room)
     for value, name in lines:
