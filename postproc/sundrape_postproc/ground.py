@@ -17,14 +17,19 @@ PATCH = 4.0  # half side of a patch, over the radius of what is shown
 LIGHT = np.array([-0.25, 0.30, 1.0])  # towards the lamp that throws the shadow
 PLANE_COLOUR = np.array([0.87, 0.875, 0.88])
 SHADOW_COLOUR = np.array([0.20, 0.22, 0.26])
+LAYERS = 4  # heights that shadows are blurred for
 DEPTH = 0.55  # of the darkest shadow
 
 
 class Ground:
     """The patches of a scene's planes and the floor with its shadow."""
 
-    def __init__(self, planes: Sequence[tuple[np.ndarray, np.ndarray]], lowest: float, view: View, pixels: int) -> None:
-        """`planes`: (point, normal) each; `lowest`: height of the lowest point ever shown [m]; `pixels` of the shadow."""
+    def __init__(
+        self, planes: Sequence[tuple[np.ndarray, np.ndarray]], span: tuple[float, float], view: View, pixels: int
+    ) -> None:
+        """`planes`: (point, normal) each; `span`: heights of the lowest and the highest point ever shown [m]; `pixels` of
+        the shadow."""
+        lowest, self._top = span
         floors = [float(point[2]) for point, normal in planes if normal[2] > 0.999]
         height = max(floors) if floors else lowest - 0.01 * view.radius
         self._base = _fade(pixels) * bool(floors)
@@ -37,11 +42,11 @@ class Ground:
 
     def stand(self, casters: Sequence[np.ndarray]) -> None:
         """Throw the shadow of what does not move: (P, 3) points [m] each, dense where they shade."""
-        self._still = _light_left(casters, self._centre, self._half, len(self._base))
+        self._still = _light_left(casters, self._centre, self._half, self._top, len(self._base))
 
     def cast(self, casters: Sequence[np.ndarray]) -> None:
         """Throw the shadow of what moves."""
-        light = self._still * _light_left(casters, self._centre, self._half, len(self._base))
+        light = self._still * _light_left(casters, self._centre, self._half, self._top, len(self._base))
         shadow = DEPTH * np.clip(1 - light, 0, 1)
         alpha = shadow + self._base * (1 - shadow)
         weight = np.divide(shadow, alpha, out=np.zeros_like(alpha), where=alpha > 0)[..., None]
@@ -83,32 +88,42 @@ def _paint(actor: vtkActor, rgba: np.ndarray) -> None:
     actor.SetTexture(image_texture((255 * rgba).round().astype(np.uint8), repeat=False))
 
 
-def _light_left(casters: Sequence[np.ndarray], centre: np.ndarray, half: float, pixels: int) -> np.ndarray:
-    """Share (pixels, pixels) of light that passes points thrown along it, blurred the more the higher they are."""
+def _light_left(casters: Sequence[np.ndarray], centre: np.ndarray, half: float, top: float, pixels: int) -> np.ndarray:
+    """Share (pixels, pixels) of light that passes points thrown along it, blurred the more the higher they are.
+
+    Every point counts in the two of LAYERS heights that it lies between, in shares that go with its own: a shadow changes
+    steadily as its caster rises.
+    """
     total = np.ones((pixels, pixels))
     pixel = 2 * half / pixels
-    fine = pixels / PIXELS
+    grain = 2.0 * pixels / PIXELS  # what closes the gaps between points
     for points in casters:
         above = points[points[:, 2] >= centre[2] - 1e-9]
         rise = above[:, 2] - centre[2]
-        thrown = above[:, :2] - rise[:, None] * LIGHT[:2] / LIGHT[2] - centre[:2] + half
-        limits = np.quantile(rise, [0, 0.34, 0.67, 1]) if len(rise) else []
-        for low, high in zip(limits[:-1], limits[1:]):
-            layer = thrown[(rise >= low) & (rise <= high)]
-            count = _counts(layer / pixel, pixels)
-            if not count.any():
-                continue
-            cover = np.clip(_blur(np.minimum(count, 1), 2.0 * fine) * 4, 0, 1)
-            blur = max((0.25 * (low + high) / 2 + 0.01 * half) / pixel, 1.0)
-            total *= 1 - np.clip(_blur(cover, blur), 0, 1)
+        thrown = (above[:, :2] - rise[:, None] * LIGHT[:2] / LIGHT[2] - centre[:2] + half) / pixel
+        count = _sums(thrown, np.ones(len(thrown)), pixels)
+        if not count.any():
+            continue
+        cover = np.clip(_blur(np.minimum(count, 1), grain) * 4, 0, 1)
+        near = np.maximum(_blur(count, grain), 1e-9)
+        height = np.clip(rise / max(top - centre[2], 1e-9), 0, 1) * (LAYERS - 1)
+        dark = np.zeros_like(cover)
+        for layer in range(LAYERS):
+            share = np.clip(1 - np.abs(height - layer), 0, 1)
+            if share.any():
+                sigma = (0.25 * (top - centre[2]) * layer / (LAYERS - 1) + 0.01 * half) / pixel
+                here = np.clip(_blur(_sums(thrown, share, pixels), grain) / near, 0, 1)
+                dark += _blur(cover * here, max(sigma, 1.0))
+        total *= 1 - np.clip(dark, 0, 1)
     return total
 
 
-def _counts(places: np.ndarray, pixels: int) -> np.ndarray:
-    """How many of the places (P, 2), in pixels, x first, lie in each pixel (rows y)."""
+def _sums(places: np.ndarray, shares: np.ndarray, pixels: int) -> np.ndarray:
+    """Sums (pixels, pixels) of the shares (P,) at places (P, 2) in pixels, x first, over each pixel (rows y)."""
     cell = np.floor(places).astype(np.int64)
-    cell = cell[((cell >= 0) & (cell < pixels)).all(axis=1)]
-    return np.bincount(cell[:, 1] * pixels + cell[:, 0], minlength=pixels**2).reshape(pixels, pixels)
+    inside = ((cell >= 0) & (cell < pixels)).all(axis=1)
+    index = cell[inside, 1] * pixels + cell[inside, 0]
+    return np.bincount(index, shares[inside], pixels**2).reshape(pixels, pixels)
 
 
 def _blur(image: np.ndarray, sigma: float) -> np.ndarray:

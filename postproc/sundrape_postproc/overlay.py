@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from . import bodies, page, shapes
+from . import bodies, page
 from .camera import Room, View, three_quarter
 from .clearance import drape_over
 from .energies import Look
@@ -20,6 +20,7 @@ from .ground import Ground
 from .load import Result
 from .measured import Points, to_line, to_surface
 from .scene import BODY_COLOUR, LIFT, shaded
+from .shapes import plane as plane_of
 from .stage import STILL, Stage
 from .strip import middle_line, silhouettes
 from .surface import SmoothSurface
@@ -134,9 +135,9 @@ def in_space(drawn: Sequence[Layer], size: tuple[int, int]) -> tuple[np.ndarray,
         thrown.append(points)
     for data in solid:
         stage.renderer.AddActor(shaded(data, BODY_COLOUR, specular=0.12))
-    planes = [shapes.plane(o) for o in obstacles if o.kind == "plane"]
-    lowest = min(float(points[:, 2].min()) for points in [*shapes, *surfaces])
-    ground = Ground(planes, lowest, view, STILL.shadow_pixels)
+    planes = [plane_of(o) for o in obstacles if o.kind == "plane"]
+    heights = np.concatenate([[points[:, 2].min(), points[:, 2].max()] for points in [*shapes, *surfaces]])
+    ground = Ground(planes, (float(heights.min()), float(heights.max())), view, STILL.shadow_pixels)
     ground.stand(surfaces)
     ground.cast([np.concatenate(thrown)])
     for actor in ground.actors:

@@ -54,7 +54,8 @@ class Scene:
         cloth = np.concatenate([result.position[k] for k in frames])
         shown = [bodies.points_of(bodies.body(o)) for k in frames for o in at_frame(k).obstacles(result) if o.kind != "plane"]
         self.view = three_quarter(cloth, shown, size[0] / size[1], free, all_round)
-        self._lowest = min(float(points[:, 2].min()) for points in [cloth, *shown])
+        heights = np.concatenate([[points[:, 2].min(), points[:, 2].max()] for points in [cloth, *shown]])
+        self._span = (float(heights.min()), float(heights.max()))
         self._stage: Stage | None = None
         self._values = lru_cache(maxsize=2)(lambda frame: fields.values(result, scale.field.name, frame))
 
@@ -118,7 +119,7 @@ class Scene:
         for actor in self._ground.actors if self._ground else []:
             self._stage.renderer.RemoveActor(actor)
         planes = [shapes.plane(o) for o in obstacles if o.kind == "plane"]
-        self._ground = Ground(planes, self._lowest, self.view, self._quality.shadow_pixels)
+        self._ground = Ground(planes, self._span, self.view, self._quality.shadow_pixels)
         still = [k for k, o in enumerate(self._result.obstacles.values()) if o.kind != "plane" and o.path is None]
         self._ground.stand([bodies.points_of(self._bodies[k].GetMapper().GetInput()) for k in still])
         for actor in self._ground.actors:
