@@ -17,7 +17,9 @@ from .errors import BAD_USE, PostprocError
 from .load import Result
 from .units import scale_for
 
-WHITE = 0.28  # mixed into cividis, legend and cloth alike: shading would not show on its dark blue, and folds are shading
+WHITE = (
+    0.28  # mixed into cividis, legend and cloth alike: shading would not show on its dark blue, and folds are shading
+)
 COLOUR_MAP = ListedColormap(
     (1 - WHITE) * matplotlib.colormaps["cividis"](np.linspace(0, 1, 256))[:, :3] + WHITE, "light cividis"
 )
@@ -87,7 +89,7 @@ def draw_legend(figure: Figure, scale: Scale, box: tuple[float, float, float, fl
 
 
 def parse_range(text: str) -> tuple[float, float]:
-    """"a:b" in SI -> (a, b), a < b.
+    """ "a:b" in SI -> (a, b), a < b.
 
     Raises PostprocError, status 2.
     """

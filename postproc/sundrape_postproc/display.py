@@ -41,7 +41,7 @@ def ensure_display() -> None:
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
         start_new_session=True,  # Ctrl-C is for us: a display that goes first takes us with it
-        preexec_fn=_die_with_parent,
+        preexec_fn=_die_with_parent,  # not before: VTK's windows close last of all, and need it to
     )
     os.close(tell)
     with os.fdopen(told) as answer:

@@ -1,4 +1,4 @@
-"""Pictures into a film by ffmpeg, through a pipe: none of them touches the disk, and a film is there whole or not at all."""
+"""Pictures into a film by ffmpeg, through a pipe: none of them touches the disk, and a film is whole or not there."""
 
 from __future__ import annotations
 
@@ -50,7 +50,18 @@ class Encoder:
         self._begin = [program, "-hide_banner", "-loglevel", "error", "-nostdin", "-y"]
         self._made = self._folder / ("all.mkv" if self._gif else "film.mp4")
         size = "x".join(map(str, self._size))
-        pipe = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size", size, "-framerate", f"{self._rate:.12g}", "-i", "pipe:0"]
+        pipe = [
+            "-f",
+            "rawvideo",
+            "-pix_fmt",
+            "rgb24",
+            "-video_size",
+            size,
+            "-framerate",
+            f"{self._rate:.12g}",
+            "-i",
+            "pipe:0",
+        ]
         matrix = ["-vf", f"scale=out_color_matrix={COLOURS}:out_range=tv"]
         tags = [part for key in ("colorspace", "color_primaries", "color_trc") for part in (f"-{key}", COLOURS)]
         how = [*LOSSLESS] if self._gif else [*matrix, *H264, *tags]

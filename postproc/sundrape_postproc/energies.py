@@ -133,7 +133,7 @@ def draw_residual(upper: Axes, lower: Axes, result: Result) -> None:
 def draw_curves(
     axes: Axes, x: np.ndarray, curves: Mapping[str, np.ndarray], looks: Mapping[str, Look], what: str, unit: str
 ) -> None:
-    """`curves` over `x`, zeros left out, each with its label at its right end; `what` and its SI `unit` are the y axis'."""
+    """`curves` over `x`, zeros left out, each with its label at its right end; the y axis has `what` and SI `unit`."""
     shown = {name: curves[name] for name in looks if name in curves and np.any(np.nan_to_num(curves[name]) != 0)}
     largest = max((float(np.nanmax(np.abs(c))) for c in shown.values()), default=0.0)
     factor, prefix = scale_for(largest)

@@ -21,7 +21,7 @@ from .load import Result
 from .moments import Moment, at_frame, evenly_in_time
 from .page import DPI, STYLE, stage
 from .scene import Scene
-from .units import quantity, scale_for
+from .units import scale_for
 
 MOST_PICTURES = 20_000
 STATIC_RATE = 10.0  # pictures a second of an analysis without time: a picture is a frame
@@ -65,7 +65,8 @@ def shots(result: Result, frames: Sequence[int], rate: float, speed: float, turn
         length = float(result.time[frames[-1]] - result.time[frames[0]])
         if length * rate / speed > MOST_PICTURES:
             raise PostprocError(
-                f"{length * rate / speed:.0f} pictures: more than {MOST_PICTURES}; raise --speed or choose --frames", BAD_USE
+                f"{length * rate / speed:.0f} pictures: more than {MOST_PICTURES}; raise --speed or choose --frames",
+                BAD_USE,
             )
         moments = evenly_in_time(result, frames, speed / rate)
     captions = _captions(result, moments)
@@ -95,8 +96,7 @@ class Painter:
         picture = self._scene.draw_moment(shot.moment, self._scene.view.turned(shot.angle))
         picture = _laid_over(picture, self._still, 0)
         strip = max(24, round(0.045 * self._size[1]))  # only these rows change from picture to picture
-        text = _overlay((self._size[0], strip), lambda figure: figure.text(
-            0.022, 0.5, shot.caption, fontsize=0.0165 * self._size[1], va="center"))
+        text = _overlay((self._size[0], strip), lambda figure: _caption(figure, shot.caption, self._size[1]))
         return _laid_over(picture, text, round(0.088 * self._size[1]))
 
 
@@ -105,6 +105,10 @@ def _still_text(figure: plt.Figure, title: str, scale: Scale | None, size: tuple
     figure.text(0.022, 0.955, title, fontsize=1.6 * text, fontweight="bold", va="top")
     if scale is not None:
         draw_legend(figure, scale, (0.03, 0.058, 0.26, 0.018), text)
+
+
+def _caption(figure: plt.Figure, text: str, height: int) -> None:
+    figure.text(0.022, 0.5, text, fontsize=0.0165 * height, va="center")
 
 
 def _overlay(size: tuple[int, int], draw: Callable[[plt.Figure], object]) -> np.ndarray:
@@ -176,4 +180,9 @@ def with_progress(pictures: Iterable[np.ndarray], total: int) -> Iterator[np.nda
     for done, picture in enumerate(pictures, start=1):
         yield picture
         if sys.stderr.isatty():
-            print(f"\r\033[Kpicture {done} of {total}", end="" if done < total else "\r\033[K", file=sys.stderr, flush=True)
+            print(
+                f"\r\033[Kpicture {done} of {total}",
+                end="" if done < total else "\r\033[K",
+                file=sys.stderr,
+                flush=True,
+            )

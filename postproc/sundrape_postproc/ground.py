@@ -27,8 +27,8 @@ class Ground:
     def __init__(
         self, planes: Sequence[tuple[np.ndarray, np.ndarray]], span: tuple[float, float], view: View, pixels: int
     ) -> None:
-        """`planes`: (point, normal) each; `span`: heights of the lowest and the highest point ever shown [m]; `pixels` of
-        the shadow."""
+        """`planes`: (point, normal) each; `span`: heights of the lowest and the highest point ever shown [m];
+        `pixels` of the shadow."""
         lowest, self._top = span
         floors = [float(point[2]) for point, normal in planes if normal[2] > 0.999]
         height = max(floors) if floors else lowest - 0.01 * view.radius
@@ -50,7 +50,10 @@ class Ground:
         shadow = DEPTH * np.clip(1 - light, 0, 1)
         alpha = shadow + self._base * (1 - shadow)
         weight = np.divide(shadow, alpha, out=np.zeros_like(alpha), where=alpha > 0)[..., None]
-        _paint(self._floor, np.concatenate([weight * SHADOW_COLOUR + (1 - weight) * PLANE_COLOUR, alpha[..., None]], axis=2))
+        _paint(
+            self._floor,
+            np.concatenate([weight * SHADOW_COLOUR + (1 - weight) * PLANE_COLOUR, alpha[..., None]], axis=2),
+        )
 
 
 def _patch(point: np.ndarray, normal: np.ndarray, view: View, opacity: float, pixels: int) -> vtkActor:
@@ -91,8 +94,8 @@ def _paint(actor: vtkActor, rgba: np.ndarray) -> None:
 def _light_left(casters: Sequence[np.ndarray], centre: np.ndarray, half: float, top: float, pixels: int) -> np.ndarray:
     """Share (pixels, pixels) of light that passes points thrown along it, blurred the more the higher they are.
 
-    Every point counts in the two of LAYERS heights that it lies between, in shares that go with its own: a shadow changes
-    steadily as its caster rises.
+    Every point counts in the two of LAYERS heights that it lies between, in shares that go with its own: a shadow
+    changes steadily as its caster rises.
     """
     total = np.ones((pixels, pixels))
     pixel = 2 * half / pixels
@@ -128,6 +131,6 @@ def _sums(places: np.ndarray, shares: np.ndarray, pixels: int) -> np.ndarray:
 
 def _blur(image: np.ndarray, sigma: float) -> np.ndarray:
     """Gaussian blur, sigma in pixels, periodic (the patch's rim is empty)."""
-    rows, columns = (f(len(image)) for f in (np.fft.fftfreq, np.fft.rfftfreq))
+    rows, columns = np.fft.fftfreq(len(image)), np.fft.rfftfreq(len(image))
     kernels = [np.exp(-2 * (np.pi * sigma * f) ** 2) for f in (rows, columns)]
     return np.fft.irfft2(np.fft.rfft2(image) * kernels[0][:, None] * kernels[1][None, :], s=image.shape)

@@ -1,4 +1,4 @@
-"""What a run says against itself: what its method lost, how deep cloth went into things, how far it stretched, where it failed."""
+"""What a run says against itself: what its method lost, how deep cloth went into things, where it failed."""
 
 from __future__ import annotations
 

@@ -30,13 +30,17 @@ def read_points(path: Path) -> Points:
     """A CSV file whose first line names columns and their units: x [cm],y [cm],z [cm] or x [cm],z [cm]. Other columns
     are passed over, and so are empty lines and those that begin with #.
 
-    Raises PostprocError: status 3 for a file that cannot be read, 2 for one that does not say what it should, with the line.
+    Raises PostprocError: status 3 for a file that cannot be read, 2 with the line for one that is not like this.
     """
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as trouble:
         raise PostprocError(f"{path}: cannot be read: {getattr(trouble, 'strerror', None) or trouble}") from trouble
-    rows = [(k, next(csv.reader([line]))) for k, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
+    rows = [
+        (k, next(csv.reader([line])))
+        for k, line in enumerate(lines, 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
     if not rows:
         raise _bad(path, 1, "is empty: its first line names the columns, e.g. x [cm],z [cm]")
     columns = _columns(path, *rows[0])

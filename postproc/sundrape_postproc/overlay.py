@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkRenderingCore import vtkActor
@@ -94,8 +95,8 @@ def legend_text(layer: Layer, first: Layer, points: Sequence[Points]) -> str:
         if distances is None:
             lines.append(f"mesh is not that of {first.name}")
         else:
-            largest, rms = (_length(d) for d in distances)
-            lines.append(f"nodes from {first.name}: at most {largest}, RMS {rms}")
+            largest, typical = (_length(d) for d in distances)
+            lines.append(f"nodes from {first.name}: at most {largest}, RMS {typical}")
     for measured in points:
         distance = from_points(layer, measured)
         rms = float(np.sqrt(np.mean(distance**2)))
@@ -108,7 +109,9 @@ def table(drawn: Sequence[Layer], points: Sequence[Points]) -> list[str]:
     lines = []
     for measured in points:
         distances = [from_points(layer, measured) for layer in drawn]
-        lines.append(",".join(["points", "x [m]", "y [m]", "z [m]", *(f"distance from {layer.name} [m]" for layer in drawn)]))
+        lines.append(
+            ",".join(["points", "x [m]", "y [m]", "z [m]", *(f"distance from {layer.name} [m]" for layer in drawn)])
+        )
         for k, place in enumerate(measured.place):
             y = "" if measured.in_plane else f"{place[1]:.6g}"
             values = [f"{place[0]:.6g}", y, f"{place[2]:.6g}", *(f"{distance[k]:.4g}" for distance in distances)]
@@ -119,7 +122,7 @@ def table(drawn: Sequence[Layer], points: Sequence[Points]) -> list[str]:
 
 
 def in_space(drawn: Sequence[Layer], size: tuple[int, int]) -> tuple[np.ndarray, View]:
-    """The cloths as translucent nets (height, width, 3), and where they are seen from; obstacles are the first one's."""
+    """The cloths as translucent nets (height, width, 3), and where they are seen from; with the first one's obstacles."""
     shapes = [layer.shape for layer in drawn]
     result = drawn[0].result
     obstacles = [obstacle.at(result.last_frame) for obstacle in result.obstacles.values()]
@@ -130,7 +133,9 @@ def in_space(drawn: Sequence[Layer], size: tuple[int, int]) -> tuple[np.ndarray,
     thrown = []
     for k, (layer, look) in enumerate(zip(drawn, LOOKS)):
         mesh = SmoothSurface(layer.result.quads, len(layer.shape))
-        points = drape_over(mesh.points(layer.shape), mesh.quads, obstacles, (1 + 0.6 * k) * LIFT * view.radius)  # side by side
+        points = drape_over(
+            mesh.points(layer.shape), mesh.quads, obstacles, (1 + 0.6 * k) * LIFT * view.radius
+        )  # side by side
         stage.renderer.AddActor(_net(layer, mesh, points, look))
         thrown.append(points)
     for data in solid:
@@ -149,7 +154,7 @@ def in_space(drawn: Sequence[Layer], size: tuple[int, int]) -> tuple[np.ndarray,
 
 def _net(layer: Layer, mesh: SmoothSurface, points: np.ndarray, look: Look) -> vtkActor:
     data = bodies.polydata(points, mesh.quads)
-    actor = shaded(None, tuple(int(look.colour[k : k + 2], 16) / 255 for k in (1, 3, 5)))
+    actor = shaded(None, to_rgb(look.colour))
     material = layer.result.material
     if material is not None:
         lines = mesh.interpolated(material) / thread_spacing(material)
@@ -162,7 +167,9 @@ def _net(layer: Layer, mesh: SmoothSurface, points: np.ndarray, look: Look) -> v
     return actor
 
 
-def overlay(drawn: Sequence[Layer], points: Sequence[Points], size: tuple[int, int], space: tuple[np.ndarray, View]) -> Figure:
+def overlay(
+    drawn: Sequence[Layer], points: Sequence[Points], size: tuple[int, int], space: tuple[np.ndarray, View]
+) -> Figure:
     """The page: `space` is what `in_space` drew, in `space_size(size)`."""
     image, view = space
     with plt.rc_context(page.STYLE):
@@ -171,11 +178,11 @@ def overlay(drawn: Sequence[Layer], points: Sequence[Points], size: tuple[int, i
         titles = list(dict.fromkeys(layer.result.title for layer in drawn))
         title = titles[0] if len(titles) == 1 else f"{titles[0]} and {len(titles) - 1} more"
         figure.text(0.02, 0.955, title, fontsize=13, fontweight="bold", va="top")
-        extent = np.array(image.shape[1::-1])
+        extent = space_size(size)
         for measured, marker in zip(points, MARKERS):
             if not measured.in_plane:
-                seen = view.pixels(measured.place, tuple(extent)) / size
-                for x, y in seen[((seen > 0) & (seen < extent / size)).all(axis=1)]:
+                seen = view.pixels(measured.place, extent) / size
+                for x, y in seen[((seen > 0) & (seen < np.divide(extent, size))).all(axis=1)]:
                     figure.add_artist(plt.Line2D([x], [y], marker=marker, markersize=4.5, markerfacecolor="white",
                                                  markeredgecolor=POINT_COLOUR, markeredgewidth=1.1))  # fmt: skip
         lines = sum(legend_text(layer, drawn[0], points).count("\n") + 1 for layer in drawn) + len(points)
@@ -205,7 +212,14 @@ def _side(axes: Axes, drawn: Sequence[Layer], points: Sequence[Points]) -> None:
         text = f"points {measured.name}: {len(measured.place)} measured"
         if len(near) < len(measured.place):
             text += f", {len(near)} of them near the middle line"
-        axes.plot(*(factor * near[:, [0, 2]].T), marker, color=POINT_COLOUR, markersize=4.5, markerfacecolor="white", label=text)
+        axes.plot(
+            *(factor * near[:, [0, 2]].T),
+            marker,
+            color=POINT_COLOUR,
+            markersize=4.5,
+            markerfacecolor="white",
+            label=text,
+        )
     low, high = factor * every.min(axis=0), factor * every.max(axis=0)
     silhouettes(axes, drawn[0].result, factor, drawn[0].result.last_frame)
     margin = 0.06 * float(max(high - low))

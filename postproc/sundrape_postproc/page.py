@@ -72,14 +72,12 @@ def caption(result: Result, frame: int) -> str:
 
 
 def stage(result: Result, frame: int) -> str:
-    """", stage 2" where an equilibrium path has several."""
+    """ ", stage 2" where an equilibrium path has several."""
     stages = result.frames.get("stage")
     return "" if stages is None or stages.max() < 2 else f", stage {int(stages[frame])}"
 
 
-def picture(
-    result: Result, frame: int, scene: np.ndarray, size: tuple[int, int], scale: Scale | None = None
-) -> Figure:
+def picture(result: Result, frame: int, scene: np.ndarray, size: tuple[int, int], scale: Scale | None = None) -> Figure:
     """The scene (height, width, 3) at the left, its diagrams and table at the right."""
     with plt.rc_context(STYLE):
         figure = new_figure(size)

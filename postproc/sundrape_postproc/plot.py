@@ -93,7 +93,9 @@ def _energies(result: Result) -> Iterator[Panel]:
             yield Panel(title, _curves(over.values, curves, looks, "energy", "J", over.label))
 
 
-def _curves(x: np.ndarray, curves: dict, looks: dict[str, Look], what: str, unit: str, label: str) -> Callable[[Axes], None]:
+def _curves(
+    x: np.ndarray, curves: dict, looks: dict[str, Look], what: str, unit: str, label: str
+) -> Callable[[Axes], None]:
     def draw(axes: Axes) -> None:
         draw_curves(axes, x, curves, looks, what, unit)
         axes.set_xlabel(label)
@@ -159,7 +161,10 @@ def _span(axes: Axes, x: np.ndarray) -> None:
 
 def _reactions(result: Result) -> Iterator[Panel]:
     over = course(result)
-    for group, title in (("reaction", "Force of the cloth on “{}”"), ("obstacle_force", "Force of obstacle “{}” on the cloth")):
+    for group, title in (
+        ("reaction", "Force of the cloth on “{}”"),
+        ("obstacle_force", "Force of obstacle “{}” on the cloth"),
+    ):
         for name, force in sorted(result.frames.items()):
             if name.startswith(group + "/") and len(result.time) > 1 and np.any(np.nan_to_num(force)):
                 components = dict(zip("xyz", force.T))
@@ -210,7 +215,9 @@ def _start(result: Result, probe: Probe) -> np.ndarray | None:
     return None if probe.node is None else result.position[0, probe.node]
 
 
-def _path(result: Result, node: int | None, place: np.ndarray, factor: np.ndarray, stage: np.ndarray) -> Callable[[Axes], None]:
+def _path(
+    result: Result, node: int | None, place: np.ndarray, factor: np.ndarray, stage: np.ndarray
+) -> Callable[[Axes], None]:
     moved = place - place[0]
     axis = int(np.argmax(np.ptp(moved, axis=0)))
     scale, prefix = scale_for(float(np.abs(moved[:, axis]).max()))
@@ -218,10 +225,14 @@ def _path(result: Result, node: int | None, place: np.ndarray, factor: np.ndarra
     def draw(axes: Axes) -> None:
         for number, look in zip(np.unique(stage), STAGES * 20):
             rows = np.flatnonzero(stage == number)
-            rows = np.concatenate([rows[:1] - 1, rows]) if number > stage[0] else rows  # from where the stage before ended
+            rows = (
+                np.concatenate([rows[:1] - 1, rows]) if number > stage[0] else rows
+            )  # from where the stage before ended
             load = np.where(stage[rows] == number, factor[rows], 0.0)  # each stage starts at none of its own load
             label = f"stage {int(number)}" if len(np.unique(stage)) > 1 else None
-            axes.plot(scale * moved[rows, axis], load, color=look.colour, linestyle=look.dashes, linewidth=1.5, label=label)
+            axes.plot(
+                scale * moved[rows, axis], load, color=look.colour, linestyle=look.dashes, linewidth=1.5, label=label
+            )
         if node is not None and result.critical:
             at = scale * (result.critical["position"][:, node, axis] - place[0, axis])
             limit = result.critical["limit_point"] > 0

@@ -95,7 +95,9 @@ def _named(name: str, value: Any) -> tuple[str, str]:
     """("deepest_penetration_m", 5e-6) -> ("deepest penetration", "5 µm")."""
     stem, _, unit = name.rpartition("_")
     if unit in UNITS and isinstance(value, int | float):
-        shown = f"{value:.3g}°" if unit == "deg" else quantity(float(value), UNITS[unit]) if value else f"0 {UNITS[unit]}"
+        shown = (
+            f"{value:.3g}°" if unit == "deg" else quantity(float(value), UNITS[unit]) if value else f"0 {UNITS[unit]}"
+        )
         return (stem.replace("_", " ") + (" time" if unit == "seconds" else ""), shown)
     return name.replace("_", " "), f"{value:.4g}" if isinstance(value, float) else str(value)
 
@@ -125,7 +127,7 @@ def _panels(result: Result) -> list[Panel]:
 def _pictures(result: Result) -> list[list[Picture]]:
     """Start, middle and end: a row of the cloth, one of its strain."""
     frames = result.telling_frames(3)
-    rows = []
+    rows: list[list[Picture]] = []
     strain = colours.scale_of(result, "strain", frames)
     for scale in (None, strain):
         scene = Scene(result, frames, PICTURE, page.Room(bottom=0.16) if scale else page.Room(), scale)
@@ -144,7 +146,9 @@ def _marked(result: Result, failed: Failure) -> Picture:
     scene = Scene(result, [failed.frame], MARKED, page.Room(top=0.05, bottom=0.05))
     pixels = scene.draw(failed.frame)
     scene.close()
-    text = ", ".join(dict.fromkeys(["the last good state", f"frame {failed.frame}", page.caption(result, failed.frame)]))
+    text = ", ".join(
+        dict.fromkeys(["the last good state", f"frame {failed.frame}", page.caption(result, failed.frame)])
+    )
     if failed.places:
         pixels = _annotated(pixels, lambda figure: mark(figure, scene.view, failed.places, MARKED))
         text += "; where it failed is marked"
@@ -155,13 +159,13 @@ def mark(figure: Figure, view: View, places: tuple[tuple[str, np.ndarray], ...],
     """A ring about each place (3,) [m] in a picture of `size` that fills the figure, and its label."""
     for row, (label, place) in enumerate(places):
         x, y = view.pixels(place[None], size)[0] / size
-        halo = [withStroke(linewidth=4, foreground="white")]
-        ring = figure.add_artist(plt.Line2D([x], [y], marker="o", markersize=17, markerfacecolor="none", markeredgecolor=MARK,
-                                            markeredgewidth=2.2, path_effects=[withStroke(linewidth=4.5, foreground="white")]))  # fmt: skip
-        ring.set_clip_on(False)
+        ring = plt.Line2D([x], [y], marker="o", markersize=17, color=MARK, markerfacecolor="none", markeredgewidth=2.2)
+        ring.set_path_effects([withStroke(linewidth=4.5, foreground="white")])
+        figure.add_artist(ring)
         side = -1 if x > 0.7 else 1
-        figure.text(x + side * 0.016, y + 0.03 + 0.035 * row, label, ha="left" if side > 0 else "right", fontsize=11,
-                    fontweight="bold", color=MARK, path_effects=halo)  # fmt: skip
+        text = figure.text(x + side * 0.016, y + 0.03 + 0.035 * row, label, ha="left" if side > 0 else "right")
+        text.set(fontsize=11, fontweight="bold", color=MARK)
+        text.set_path_effects([withStroke(linewidth=4, foreground="white")])
 
 
 def _with_legend(pixels: np.ndarray, scale: Scale) -> np.ndarray:

@@ -21,9 +21,11 @@ body { margin: 0 auto; padding: 1.2rem; max-width: 72rem; color: var(--ink); bac
        font: 15px/1.45 "DejaVu Sans", Verdana, system-ui, sans-serif; }
 h1 { font-size: 1.5rem; margin: 0 0 .3rem; }
 h2 { font-size: 1.1rem; margin: 2rem 0 .6rem; padding-bottom: .2rem; border-bottom: 1px solid var(--line); }
-.status { display: inline-block; padding: .1rem .7rem; border-radius: 1rem; color: #fff; background: var(--bad); font-weight: bold; }
+.status { display: inline-block; padding: .1rem .7rem; border-radius: 1rem; font-weight: bold;
+          color: #fff; background: var(--bad); }
 .status.done { background: var(--good); }
-.failure { margin: 1rem 0; padding: .8rem 1rem; border-left: .35rem solid var(--bad); background: #fdf3ec; overflow-wrap: anywhere; }
+.failure { margin: 1rem 0; padding: .8rem 1rem; border-left: .35rem solid var(--bad); background: #fdf3ec;
+           overflow-wrap: anywhere; }
 .failure p { margin: .3rem 0; }
 figure { margin: 0; }
 figcaption { font-size: .85rem; color: var(--faint); padding: .25rem 0 .5rem; }
@@ -73,7 +75,9 @@ def page(report: Report) -> str:
         _section("The cloth", "".join(_grid("pictures", map(_picture, row)) for row in report.pictures)),
         _section("Over the run", _grid("plots", map(_plot, report.panels))),
         _section("Statistics of the solver", _table(report.statistics)),
-        _section("The case", f"<details><summary>as it ran, in TOML</summary><pre>{_text(report.case)}</pre></details>"),
+        _section(
+            "The case", f"<details><summary>as it ran, in TOML</summary><pre>{_text(report.case)}</pre></details>"
+        ),
     ]
     return "\n".join(
         [

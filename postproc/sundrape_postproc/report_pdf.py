@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -38,7 +38,9 @@ class Sheets:
         self.top = PAPER[1] - MARGIN  # inches from below where the next thing goes
         if len(self.pages) > 1:
             self.page.text(MARGIN / PAPER[0], 1 - 0.42 / PAPER[1], self._title, fontsize=7.5, color=FAINT)
-        self.page.text(1 - MARGIN / PAPER[0], 0.35 / PAPER[1], str(len(self.pages)), fontsize=7.5, color=FAINT, ha="right")
+        self.page.text(
+            1 - MARGIN / PAPER[0], 0.35 / PAPER[1], str(len(self.pages)), fontsize=7.5, color=FAINT, ha="right"
+        )
 
     def room(self, height: float) -> None:
         """Turns the page unless `height` inches are left."""
@@ -61,7 +63,7 @@ class Sheets:
         self.top -= 0.14
         self.write(text, height=1.35 * LINE, fontsize=11, fontweight="bold")
 
-    def rows(self, rows: list[tuple[str, ...]], columns: tuple[float, ...]) -> None:
+    def rows(self, rows: Sequence[tuple[str, ...]], columns: tuple[float, ...]) -> None:
         """A table whose columns begin at `columns` inches; the last one is wrapped."""
         letters = int((WIDTH - columns[-1]) * LETTERS_AN_INCH)
         for row in rows:
@@ -112,17 +114,19 @@ def _pages(report: Report) -> list[Figure]:
     for line in textwrap.wrap(report.title, 60):
         sheets.write(line, height=0.3, fontsize=15, fontweight="bold")
     colour = GOOD if report.status == "done" else BAD
-    sheets.write(STATUS.get(report.status, report.status), height=1.6 * LINE, fontsize=10, fontweight="bold", color=colour)
+    sheets.write(
+        STATUS.get(report.status, report.status), height=1.6 * LINE, fontsize=10, fontweight="bold", color=colour
+    )
     for line in _failed(report):
         sheets.write(line, color=BAD)
     if report.failed_at is not None:
         sheets.top -= 0.06
         sheets.pictures([report.failed_at], 1)
     sheets.heading("What ran")
-    sheets.rows(list(report.ran), (0, 1.7))
+    sheets.rows(report.ran, (0, 1.7))
     if report.numbers:
         sheets.heading("How far to trust it")
-        sheets.rows(list(report.numbers), (0, 1.9, 3.1))
+        sheets.rows(report.numbers, (0, 1.9, 3.1))
     if report.warnings:
         sheets.heading("Warnings")
         sheets.rows([("–", warning) for warning in report.warnings], (0, 0.2))

@@ -9,7 +9,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty, vtkRenderer
 
 from . import bodies, fields, shapes
 from .camera import NO_ROOM, Room, View, three_quarter
@@ -52,12 +52,19 @@ class Scene:
         self._result, self._size, self._scale, self._quality = result, size, scale, quality
         self._surface = SmoothSurface(result.quads, result.position.shape[1])
         cloth = np.concatenate([result.position[k] for k in frames])
-        shown = [bodies.points_of(bodies.body(o)) for k in frames for o in at_frame(k).obstacles(result) if o.kind != "plane"]
+        shown = [
+            bodies.points_of(bodies.body(o)) for k in frames for o in at_frame(k).obstacles(result) if o.kind != "plane"
+        ]
         self.view = three_quarter(cloth, shown, size[0] / size[1], free, all_round)
         heights = np.concatenate([[points[:, 2].min(), points[:, 2].max()] for points in [cloth, *shown]])
         self._span = (float(heights.min()), float(heights.max()))
         self._stage: Stage | None = None
-        self._values = lru_cache(maxsize=2)(lambda frame: fields.values(result, scale.field.name, frame))
+        self._values = lru_cache(maxsize=2)(self._evaluate)
+
+    def _evaluate(self, frame: int) -> np.ndarray:
+        """The field on the nodes (N,)."""
+        assert self._scale is not None
+        return fields.values(self._result, self._scale.field.name, frame)
 
     def draw(self, frame: int) -> np.ndarray:
         """One frame as an image (height, width, 3) of bytes, top row first."""
@@ -65,11 +72,9 @@ class Scene:
 
     def draw_moment(self, moment: Moment, view: View | None = None) -> np.ndarray:
         """The same of any moment, and from another place."""
-        if self._stage is None:
-            self._set_up(moment)
-        self._move(moment)
-        assert self._stage is not None
-        return self._stage.image(view or self.view)
+        stage = self._stage or self._set_up()
+        self._move(moment, stage.renderer)
+        return stage.image(view or self.view)
 
     def close(self) -> None:
         """Give the window back; the next picture opens a new one."""
@@ -77,15 +82,16 @@ class Scene:
             self._stage.close()
             self._stage = None
 
-    def _set_up(self, moment: Moment) -> None:
+    def _set_up(self) -> Stage:
         self._stage = Stage(self._size, self._quality, self.view.radius)
         self._cloth = _Cloth(self._surface, self._result.material, self.view.radius, self._scale, self._quality)
         self._ground: Ground | None = None
         self._bodies: dict[int, vtkActor] = {}
         for actor in self._cloth.actors:
             self._stage.renderer.AddActor(actor)
+        return self._stage
 
-    def _move(self, moment: Moment) -> None:
+    def _move(self, moment: Moment, renderer: vtkRenderer) -> None:
         obstacles = moment.obstacles(self._result)
         points = self._surface.points(moment.position(self._result))
         points = drape_over(points, self._surface.quads, obstacles, LIFT * self.view.radius)
@@ -96,34 +102,33 @@ class Scene:
         moving = [points]
         for k, (obstacle, kept) in enumerate(zip(obstacles, self._result.obstacles.values())):
             if obstacle.kind != "plane":
-                body = self._place(k, obstacle, moves=kept.path is not None)
+                body = self._place(renderer, k, obstacle, moves=kept.path is not None)
                 if kept.path is not None:
                     moving.append(bodies.points_of(body))
-        self._stand(obstacles)
-        assert self._ground is not None
-        self._ground.cast(moving)
+        self._stand(renderer, obstacles).cast(moving)
 
-    def _place(self, k: int, obstacle: Obstacle, moves: bool) -> vtkPolyData:
+    def _place(self, renderer: vtkRenderer, k: int, obstacle: Obstacle, moves: bool) -> vtkPolyData:
         if k not in self._bodies:
             self._bodies[k] = shaded(bodies.body(obstacle), BODY_COLOUR, specular=0.12)
-            self._stage.renderer.AddActor(self._bodies[k])
+            renderer.AddActor(self._bodies[k])
         elif moves:
             self._bodies[k].GetMapper().SetInputData(bodies.body(obstacle))
         return self._bodies[k].GetMapper().GetInput()
 
-    def _stand(self, obstacles: Sequence[Obstacle]) -> None:
+    def _stand(self, renderer: vtkRenderer, obstacles: Sequence[Obstacle]) -> Ground:
         """The ground: once, or anew when one of its planes moves."""
         moves = any(o.kind == "plane" and o.path is not None for o in self._result.obstacles.values())
         if self._ground is not None and not moves:
-            return
+            return self._ground
         for actor in self._ground.actors if self._ground else []:
-            self._stage.renderer.RemoveActor(actor)
+            renderer.RemoveActor(actor)
         planes = [shapes.plane(o) for o in obstacles if o.kind == "plane"]
         self._ground = Ground(planes, self._span, self.view, self._quality.shadow_pixels)
         still = [k for k, o in enumerate(self._result.obstacles.values()) if o.kind != "plane" and o.path is None]
         self._ground.stand([bodies.points_of(self._bodies[k].GetMapper().GetInput()) for k in still])
         for actor in self._ground.actors:
-            self._stage.renderer.AddActor(actor)
+            renderer.AddActor(actor)
+        return self._ground
 
 
 class _Cloth:

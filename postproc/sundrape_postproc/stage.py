@@ -35,8 +35,8 @@ class Stage:
     """A renderer in its window."""
 
     def __init__(self, size: tuple[int, int], quality: Quality, radius: float, see_through: bool = False) -> None:
-        """`size`: pixels across and down; `radius`: of what is shown [m]; `see_through`: things behind translucent ones show,
-        layer by layer, without ambient occlusion."""
+        """`size`: pixels across and down; `radius`: of what is shown [m]; `see_through`: things behind translucent
+        ones show, layer by layer, without ambient occlusion."""
         self._size, self._quality = size, quality
         self.renderer = vtkRenderer()
         self.renderer.GradientBackgroundOn()

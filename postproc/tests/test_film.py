@@ -81,7 +81,10 @@ class Films(Pictures):
         path = self.folder / "long.mp4"
         run = [sys.executable, "-m", "sundrape_postproc", "film", self.result, "-o", path, *SMALL[:2], "--fps", 2000]
         process = subprocess.Popen(
-            list(map(str, run)), env=os.environ | {"PYTHONPATH": str(HOME)}, stderr=subprocess.PIPE, start_new_session=True
+            list(map(str, run)),
+            env=os.environ | {"PYTHONPATH": str(HOME)},
+            stderr=subprocess.PIPE,
+            start_new_session=True,
         )
         wait = time.monotonic() + 60
         while not any(self.folder.glob(".long.mp4-*/film.mp4")) and time.monotonic() < wait:

@@ -29,7 +29,12 @@ def arc(result: Result) -> Result:
         result,
         attributes={**result.attributes, "analysis": "arc-length"},
         time=np.array([0, 0.5, 1, 0.5]),
-        steps={"load_factor": probe.load_factor, "stage": stage, "arc_length": np.full(3, 0.1), "residual": np.full(3, 1e-8)},
+        steps={
+            "load_factor": probe.load_factor,
+            "stage": stage,
+            "arc_length": np.full(3, 0.1),
+            "residual": np.full(3, 1e-8),
+        },
         probes={"crown": probe},
         critical=critical,
     )

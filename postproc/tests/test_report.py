@@ -17,9 +17,7 @@ from sundrape_postproc.errors import PostprocError
 from tests.synthetic import TABLE, bowl, write_result
 from tests.test_pictures import Pictures
 
-TORN = (
-    "at t = 0.124 s the cloth tears: the edge from node 8 at (0.04006, -0.04009, 1.199e-05) m to node 9 is stretched by 2 %"
-)
+TORN = "at t = 0.124 s the cloth tears: the edge from node 8 at (0.04006, -0.04009, 1.199e-05) m to node 9 is too long"
 
 
 class Reports(Pictures):
@@ -40,14 +38,28 @@ class Reports(Pictures):
         page = path.read_text()
         self.assertIn("<title>Tablecloth on a square table</title>", page)
         self.assertIn('class="status failed"', page)
-        for text in ("the cloth tears", "node 8 at (0.04006, -0.04009, 1.199e-05) m", "t = 0.124 s", "it is &lt;tight&gt;"):
+        for text in (
+            "the cloth tears",
+            "node 8 at (0.04006, -0.04009, 1.199e-05) m",
+            "t = 0.124 s",
+            "it is &lt;tight&gt;",
+        ):
             self.assertIn(text, page)
         self.assertIn("the last good state, frame 3, t = 300 ms; where it failed is marked", page)
         self.assertIn("iterations of Newton&#x27;s method", page)
-        for text in ("CVODE", "49 nodes", "sundrape 0.1.0", "energy lost by the method", "[relaxation]", "@media print"):
+        for text in (
+            "CVODE",
+            "49 nodes",
+            "sundrape 0.1.0",
+            "energy lost by the method",
+            "[relaxation]",
+            "@media print",
+        ):
             self.assertIn(text, page)
         sources = re.findall(r'(?:src|href)="?([^" >]+)|url\(([^)]+)\)|@import', page)
-        self.assertEqual(len(sources), 1 + 6 + 4)  # the failure; cloth and strain at three times; energies, step size, order
+        self.assertEqual(
+            len(sources), 1 + 6 + 4
+        )  # the failure; cloth and strain at three times; energies, step size, order
         self.assertTrue(all(source[0].startswith("data:image/") for source in sources))
         self.assertNotRegex(page, r"<script|<link")
 
@@ -103,7 +115,9 @@ class Honesty(Pictures):
         self.bowl = load(write_result(self.result, bowl(), TABLE))
 
     def failed(self, message: str, status: str = "failed") -> honest.Failure:
-        return honest.failure(replace(self.bowl, attributes={**self.bowl.attributes, "status": status, "message": message}))
+        return honest.failure(
+            replace(self.bowl, attributes={**self.bowl.attributes, "status": status, "message": message})
+        )
 
     def test_places_are_those_of_the_message_or_of_its_nodes(self):
         self.assertIsNone(honest.failure(self.bowl))

@@ -17,14 +17,20 @@ def configure(parser: argparse.ArgumentParser) -> None:
     common.add_output(parser, (".mp4", ".gif"))
     common.add_size(parser, (1280, 720))
     common.add_colour(parser)
-    parser.add_argument("--fps", type=_positive, metavar="N", help="pictures a second (default 30; 10 where there is no time)")
+    parser.add_argument(
+        "--fps", type=_positive, metavar="N", help="pictures a second (default 30; 10 where there is no time)"
+    )
     parser.add_argument("--speed", type=_positive, default=1.0, metavar="X", help="times its own speed (default 1)")
     parser.add_argument("--camera", choices=("fixed", "orbit"), default="fixed", help="(default fixed)")
-    parser.add_argument("--turns", type=float, default=1.0, metavar="X", help="of an orbit (default 1; negative: clockwise)")
+    parser.add_argument(
+        "--turns", type=float, default=1.0, metavar="X", help="of an orbit (default 1; negative: clockwise)"
+    )
     parser.add_argument(
         "--frames", type=_frames, metavar="A:B:S", help="frames A to B (included, negative from the end), every S-th"
     )
-    parser.add_argument("--fine", action="store_true", help="folds darken each other, as in pictures; five times slower")
+    parser.add_argument(
+        "--fine", action="store_true", help="folds darken each other, as in pictures; five times slower"
+    )
     parser.add_argument("--jobs", type=_jobs, metavar="N", help="processes that draw (default: processors, at most 4)")
 
 
@@ -43,7 +49,7 @@ def run(options: argparse.Namespace, arguments: Sequence[str]) -> None:
 
     orbit = options.camera == "orbit"
     rate = options.fps or (film.STATIC_RATE if result.is_static else film.MOTION_RATE)
-    size = tuple(n - n % 2 for n in options.size)  # H.264 halves the colours' resolution
+    size = (options.size[0] & ~1, options.size[1] & ~1)  # H.264 halves the colours' resolution
     frames = film.chosen_frames(result, options.frames)
     shots = film.shots(result, frames, rate, options.speed, options.turns if orbit else 0.0)
     scale = common.scale_of(options, result, frames)
@@ -54,7 +60,9 @@ def run(options: argparse.Namespace, arguments: Sequence[str]) -> None:
         return film.Painter(scene, result.title, scale, size)
 
     with Encoder(options.output, size, rate) as encoder:
-        for picture in film.with_progress(film.paint_all(painter, shots, options.jobs or common.processors()), len(shots)):
+        for picture in film.with_progress(
+            film.paint_all(painter, shots, options.jobs or common.processors()), len(shots)
+        ):
             encoder.add(picture)
 
 

@@ -14,11 +14,18 @@ HELP = "where several results end, laid on each other and on measured points"
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("results", type=Path, nargs="+", metavar="RESULT.h5", help="2 to 6; distances are from the first")
+    parser.add_argument(
+        "results", type=Path, nargs="+", metavar="RESULT.h5", help="2 to 6; distances are from the first"
+    )
     common.add_output(parser)
     common.add_size(parser, (1500, 760))
     parser.add_argument(
-        "--points", type=Path, action="append", default=[], metavar="CSV", help="measured points: x [cm],z [cm] or with y; repeatable"
+        "--points",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="CSV",
+        help="measured points: x [cm],z [cm] or with y; repeatable",
     )
 
 
