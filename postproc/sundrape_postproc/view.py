@@ -121,7 +121,7 @@ def shown_fields(result: Result) -> list[ShownField]:
             continue
         smallest, largest = float(finite.min()), float(finite.max())
         low, high = np.percentile(finite, [100 - ROBUST, ROBUST])
-        high = float(high) if high > 1e-3 * largest else largest
+        high = float(high) if high > 1e-6 * largest else largest
         low = float(low) if low < -NEGATIVE * high else 0.0  # a little below zero is zero: the colours begin there
         if high - low > 1e-12 * max(abs(high), abs(low), 1e-300) and largest - smallest > 1e-9 * max(abs(largest), 1e-6):
             shown.append(ShownField(field, low, high, smallest, largest, quantise_field(values, low, high)))

@@ -8,6 +8,7 @@ import { buildInfo, showHeading } from './info.js';
 import { byId } from './dom.js';
 import { clothMaterial, hemMaterial } from './look.js';
 import { Ground, readBodies } from './obstacles.js';
+import { Pace } from './pace.js';
 import { Picked } from './picked.js';
 import { Plots } from './plots.js';
 import { showLegend } from './legend.js';
@@ -23,7 +24,7 @@ class Viewer {
     this.fieldCodes = new Map(); // by name, read when first shown
     this.stale = true; // the cloth is not that of the timeline
     this.dirty = true; // the picture is not that of the cloth and the camera
-    this.cost = { frames: 0, total: 0, worst: 0 }; // of our own work for a picture [ms]
+    this.pace = new Pace();
   }
 
   async start() {
@@ -70,7 +71,6 @@ class Viewer {
     const canvas = byId('canvas');
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.setClearColor(0, 0);
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     const points = shownPoints(about, cloth, bodies);
     const centre = centreOf(points);
     const radius = radiusAbout(points, centre);
@@ -95,7 +95,7 @@ class Viewer {
     const { clientWidth: width, clientHeight: height } = byId('stage');
     if (width === 0 || height === 0) return;
     this.size = { width, height };
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(this.pace.share * Math.min(2, window.devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.eye.resize(width / height);
     if (this.controls) this.draw(); // a canvas that changes its size is blank until it is drawn
@@ -110,6 +110,7 @@ class Viewer {
   tick(now) {
     const seconds = Math.min((now - this.before) / 1000, 1);
     this.before = now;
+    if (this.pace.note(seconds, this.timeline.playing)) this.resize();
     if (this.timeline.playing) {
       this.timeline.advance(seconds);
       this.moved();
@@ -127,19 +128,14 @@ class Viewer {
     this.dirty = false;
   }
 
-  /** Brings everything that depends on the timeline up to date, and counts what that takes. */
+  /** Brings everything that depends on the timeline up to date, but for the picture. */
   shape() {
-    const began = performance.now();
     const { frame, fraction } = this.timeline.place;
     this.cloth.place(frame, fraction);
     this.cloth.turn();
     if (this.field !== null) this.cloth.paint(this.fieldCodes.get(this.field.name), frame, fraction);
     for (const body of this.bodies) body.place(frame, fraction);
     this.ground.shade(this.cloth, this.bodies);
-    const spent = performance.now() - began;
-    this.cost.frames += 1;
-    this.cost.total += spent;
-    this.cost.worst = Math.max(this.cost.worst, spent);
     this.stale = false;
     this.plots?.mark(this.timeline.now);
     this.picked?.tell();

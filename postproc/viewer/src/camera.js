@@ -36,6 +36,8 @@ export class Eye {
 
   reset() {
     this.untouched = true;
+    this.controls.enableDamping = false; // or the swing of the last turn would go on
+    this.controls.update();
     const { eye, target, radius } = fit(this.points, this.camera.aspect);
     const distance = eye.distanceTo(target);
     this.radius = radius;
@@ -44,6 +46,7 @@ export class Eye {
     this.camera.position.copy(eye);
     this.controls.target.copy(target);
     this.controls.update();
+    this.controls.enableDamping = true;
     this.changed();
   }
 

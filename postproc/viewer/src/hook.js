@@ -15,7 +15,6 @@ export function hook(viewer) {
     get speed() { return timeline.speed; },
     get colour() { return viewer.field?.name ?? ''; },
     get picked() { return viewer.picked.node; },
-    get cost() { return { ...viewer.cost, mean: viewer.cost.total / Math.max(1, viewer.cost.frames) }; },
     /** Column-major 4 × 4: projection times view of the camera. */
     get camera() {
       viewer.eye.camera.updateMatrixWorld();
@@ -38,6 +37,17 @@ export function hook(viewer) {
       const { field } = viewer;
       return field === null ? null : Array.from(cloth.value, (share) => field.low + share * (field.high - field.low));
     },
+    /** What our own work takes for each of so many pictures between the first frame and the last, not counting their drawing [ms]. */
+    measure(count) {
+      const costs = Array.from({ length: count }, (_, k) => {
+        timeline.set(timeline.first + ((k + 0.5) / count) * (timeline.last - timeline.first));
+        const began = performance.now();
+        viewer.shape();
+        return performance.now() - began;
+      });
+      viewer.moved();
+      return costs;
+    },
     /** Where a node is in the window [pixels]. */
     project(node) {
       sync();
@@ -45,7 +55,6 @@ export function hook(viewer) {
       const { x, y } = toScreen(cloth.position, node, viewer.eye.camera, box.width, box.height);
       return { x: x + box.left, y: y + box.top };
     },
-    forgetCost() { viewer.cost = { frames: 0, total: 0, worst: 0 }; },
   };
   window.sundrape = api;
 }

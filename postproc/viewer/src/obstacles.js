@@ -96,9 +96,10 @@ export class Ground {
     const height = floors.length > 0 ? Math.max(...floors.map((plane) => plane.point.z)) : lowest - 0.01 * radius;
     this.shadow = new Shadow([centre.x, centre.y, height], SHADE * radius, radius);
     this.texture = dark(this.shadow.side, this.shadow.bytes);
+    const half = floors.length > 0 ? PATCH : SHADE;
     const floor = new Mesh(
-      new PlaneGeometry(2 * PATCH * radius, 2 * PATCH * radius),
-      patchMaterial(this.texture, SHADE / PATCH, floors.length > 0 ? 1 : 0),
+      new PlaneGeometry(2 * half * radius, 2 * half * radius),
+      patchMaterial(this.texture, SHADE / half, floors.length > 0 ? 1 : 0),
     );
     floor.position.set(centre.x, centre.y, height - SUNK * radius);
     this.patches = [floor];
