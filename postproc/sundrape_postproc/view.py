@@ -27,6 +27,7 @@ NEGATIVE = 0.1  # of the upper end of the colours: values farther below zero are
 ROBUST = 99.5  # per cent of all values of a field that its colours cover
 ROWS = 2000  # of a probe's curve, at most
 STATIC_DURATION = 8.0  # of all frames of a static analysis at speed 1 [s]
+STORED_LOOKS = STORED | {"membrane": Look("membrane", "#56B4E9")}  # gravity, in the same list here, is the other blue
 PROBE_LOOKS = (
     *(("#0072B2", ""), ("#D55E00", "6 2"), ("#009E73", "2 2"), ("#CC79A7", "8 2 2 2")),
     *(("#7a5230", "4 3"), ("#555555", "1 2")),
@@ -270,7 +271,7 @@ def _diagrams(result: Result) -> list[dict[str, Any]]:
     diagrams = []
     if not result.is_static:
         diagrams.append(_diagram("Given and lost", "J", _curves(energies, GIVEN_AND_LOST)))
-    diagrams.append(_diagram("Stored in cloth and contact", "J", _curves(energies, STORED)))
+    diagrams.append(_diagram("Stored in cloth and contact", "J", _curves(energies, STORED_LOOKS)))
     if result.is_static and result.residual is not None and np.any(result.residual > 0):
         look = Look("residual", "#0072B2")
         curve = [_curve(look, np.where(result.residual > 0, result.residual, np.nan))]

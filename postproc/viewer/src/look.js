@@ -18,6 +18,8 @@ const LIGHT = /* glsl */ `
 export function clothMaterial(colours, hasThreads) {
   return new ShaderMaterial({
     side: DoubleSide,
+    polygonOffset: true, // behind its own hem
+    polygonOffsetUnits: 4,
     uniforms: {
       colours: { value: colourTexture(colours) },
       coloured: { value: 0 },

@@ -15,7 +15,8 @@ const ROOM = { left: 58, right: 12, top: 22, bottom: 34 }; // pixels about the f
 
 export class Plot {
   /**
-   * @param {{title: string, unit: string, logarithmic?: boolean}} what
+   * @param {{title: string, unit: string, logarithmic?: boolean, size?: number}} what `size`: of the values that are shown beside
+   *   these in the same unit; changes far below it are no curve
    * @param {Curve[]} curves
    * @param {{name: string, unit: string, values: number[]}} axis
    * @param {(x: number) => void} chosen called with the place on the axis that was clicked
@@ -47,9 +48,9 @@ export class Plot {
     this.height = height - ROOM.top - ROOM.bottom;
     [this.low, this.high] = [axis.values[0], axis.values[axis.values.length - 1]];
     if (!(this.high > this.low)) this.high = this.low + 1;
-    const extent = extentOf(this.curves, what.logarithmic);
+    const extent = extentOf(this.curves, what);
     [this.bottom, this.top] = extent;
-    const size = Math.max(Math.abs(this.bottom), Math.abs(this.top));
+    const size = what.size ?? Math.max(Math.abs(this.bottom), Math.abs(this.top));
     this.scale = what.logarithmic ? { factor: 1, unit: '' } : scaleFor(size, what.unit === '1' ? '' : what.unit);
     const time = scaleFor(this.high, axis.unit);
 
@@ -125,6 +126,7 @@ export class Plot {
 
   /** Moves the cursor. */
   mark(now) {
+    const { what } = this;
     this.now = now;
     if (!this.cursor) return;
     const x = this.x(now).toFixed(1);
@@ -138,7 +140,8 @@ export class Plot {
       this.dots[k].setAttribute('cy', this.y(this.level(value)).toFixed(1));
     });
     const single = values.length === 1 && isNumber(values[0]);
-    const text = single ? `${digits(values[0] * this.scale.factor, 4)}${this.scale.unit ? ` ${this.scale.unit}` : ''}` : '';
+    const value = Math.abs(values[0]) < 1e-6 * (what.size ?? 0) ? 0 : values[0];
+    const text = single ? `${digits(value * this.scale.factor, 4)}${this.scale.unit ? ` ${this.scale.unit}` : ''}` : '';
     this.readout.textContent = text;
   }
 }
@@ -162,7 +165,7 @@ function valueAt({ x, y }, now) {
 }
 
 /** Lowest and highest value, with some room; of a logarithmic diagram their decimal logarithms. */
-function extentOf(curves, logarithmic) {
+function extentOf(curves, { logarithmic, size: beside = 0 }) {
   let low = Infinity;
   let high = -Infinity;
   for (const { y } of curves) {
@@ -175,7 +178,7 @@ function extentOf(curves, logarithmic) {
   }
   if (!Number.isFinite(low)) return [0, 1];
   if (logarithmic) return [Math.floor(low), Math.max(Math.ceil(high), Math.floor(low) + 1)];
-  const size = Math.max(Math.abs(low), Math.abs(high));
+  const size = Math.max(Math.abs(low), Math.abs(high), beside);
   if (high - low < 1e-4 * size || size < 1e-15) { // hardly any change: the noise of a number is no curve
     const room = Math.max(0.05 * size, 1e-12);
     return [low - room, high + room];

@@ -103,9 +103,12 @@ export class Plots {
 }
 
 function probeDiagrams(probes) {
+  const size = probes.reduce((most, { columns }) => columns.slice(1).flatMap((column) => [...column])
+    .reduce((largest, value) => Math.max(largest, Math.abs(value)), most), 0);
   return AXES.map((axis, k) => ({
     title: axis,
     unit: 'm',
+    size,
     curves: probes.map(({ name, colour, dashes, columns }) => ({ label: name, colour, dashes, x: columns[0], y: columns[k + 1] })),
   }));
 }

@@ -38,7 +38,8 @@ export function ticks(low, high, count) {
   if (!(span > 0)) return [low];
   const raw = span / Math.max(count, 1);
   const decade = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((m) => m * decade).find((s) => s >= raw * 0.999) ?? 10 * decade;
+  const away = (step) => Math.abs(Math.log(step / raw));
+  const step = [1, 2, 5, 10].map((m) => m * decade).reduce((best, other) => (away(other) < away(best) ? other : best));
   const found = [];
   for (let k = Math.ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; k += 1) found.push(k * step);
   return found;
