@@ -72,6 +72,7 @@ def facts(result: Result) -> list[tuple[str, str]]:
     if result.is_static:
         rows.append(("analysis", result.analysis))
         name = "steps of the path" if result.analysis == "arc-length" else "iterations"
+        name = "equilibria" if result.has_time else name
         rows.append((name, _whole(steps) if steps else "–"))
     else:
         integrator = result.statistics.get("integrator") or result.case.get("dynamics", {}).get("integrator", "cvode")

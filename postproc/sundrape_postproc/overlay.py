@@ -136,7 +136,8 @@ def in_space(drawn: Sequence[Layer], size: tuple[int, int]) -> tuple[np.ndarray,
         points = drape_over(
             mesh.points(layer.shape), mesh.quads, obstacles, (1 + 0.6 * k) * LIFT * view.radius
         )  # side by side
-        stage.renderer.AddActor(_net(layer, mesh, points, look))
+        nearer = points + 0.003 * k * (view.eye - points)  # seen as before, but never in the very place of another cloth
+        stage.renderer.AddActor(_net(layer, mesh, nearer, look))
         thrown.append(points)
     for data in solid:
         stage.renderer.AddActor(shaded(data, BODY_COLOUR, specular=0.12))
