@@ -38,17 +38,15 @@ class Shot:
 
 
 def chosen_frames(result: Result, slices: tuple[int | None, int | None, int] | None) -> list[int]:
-    """Frames from the first to the last of `slices` (first, last, step), all of them without; only finite ones.
+    """Frames that Python's slice picks, as `sundrape export --frames` does; all of them without; only finite ones.
 
     Raises PostprocError, status 2: no such frames.
     """
     count = len(result.time)
-    first, last, step = slices or (None, None, 1)
-    first = 0 if first is None else first
-    last = count - 1 if last is None else last
-    if not all(-count <= k < count for k in (first, last)) or first % count > last % count:
-        raise PostprocError(f"--frames: {result.path} has frames 0 to {count - 1}, the first one first", BAD_USE)
-    frames = [k for k in range(first % count, last % count + 1, step) if k <= result.last_frame]
+    chosen = range(count)[slice(*(slices or (None, None, 1)))]
+    if not chosen:
+        raise PostprocError(f"--frames: picks none of the {count} frames of {result.path}", BAD_USE)
+    frames = [k for k in chosen if k <= result.last_frame]
     if not frames:
         raise PostprocError(f"--frames: no frame of {result.path} there has finite positions", BAD_USE)
     return frames

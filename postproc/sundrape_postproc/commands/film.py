@@ -26,7 +26,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
         "--turns", type=float, default=1.0, metavar="X", help="of an orbit (default 1; negative: clockwise)"
     )
     parser.add_argument(
-        "--frames", type=_frames, metavar="A:B:S", help="frames A to B (included, negative from the end), every S-th"
+        "--frames", type=_frames, metavar="A:B:S", help="frames from A up to B, without B, every S-th, as in Python"
     )
     parser.add_argument(
         "--fine", action="store_true", help="folds darken each other, as in pictures; five times slower"
@@ -85,6 +85,6 @@ def _jobs(text: str) -> int:
 def _frames(text: str) -> tuple[int | None, int | None, int]:
     match = re.fullmatch(r"(-?\d+)?:(-?\d+)?(?::([1-9]\d*))?", text)
     if match is None:
-        raise argparse.ArgumentTypeError(f"{text!r} is not FIRST:LAST or FIRST:LAST:STEP, e.g. 0:-1:2")
+        raise argparse.ArgumentTypeError(f"{text!r} is not FIRST:END or FIRST:END:STEP, e.g. 0:100:2")
     first, last = (None if part is None else int(part) for part in match.groups()[:2])
     return first, last, int(match[3] or 1)
