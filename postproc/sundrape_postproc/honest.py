@@ -9,7 +9,7 @@ import numpy as np
 
 from .energies import RESERVOIRS, deepest_penetration, method_dissipation
 from .load import Result
-from .units import quantity
+from .units import percent, quantity
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 PLACE = re.compile(rf"\(({NUMBER}), ({NUMBER}), ({NUMBER})\) m\b")
@@ -68,7 +68,7 @@ def numbers(result: Result) -> list[tuple[str, str, str]]:
         last = float(lost[np.flatnonzero(np.isfinite(lost))[-1]])
         amounts = f"{quantity(last, 'J')} of {quantity(turned, 'J')}"
         meaning = f"{amounts} that changed its kind from frame to frame; negative: gained"
-        rows.append(("energy lost by the method", f"{100 * last / turned:.2g} %", meaning))
+        rows.append(("energy lost by the method", percent(last / turned), meaning))
     if result.is_static:
         residual = result.steps.get("residual", result.residual if result.residual is not None else np.zeros(0))
         if len(residual):
@@ -87,7 +87,7 @@ def numbers(result: Result) -> list[tuple[str, str, str]]:
     strain = result.statistics.get("largest_edge_strain")
     if isinstance(strain, int | float):
         when = "at the end" if result.is_static else "over the frames"
-        rows.append(("largest edge strain", f"{100 * strain:.2g} %", f"of a segment of a thread, {when}"))
+        rows.append(("largest edge strain", percent(strain), f"of a segment of a thread, {when}"))
     crossings = result.frames.get("crossings")
     if crossings is not None and (crossings >= 0).any():
         worst = int(np.argmax(crossings))

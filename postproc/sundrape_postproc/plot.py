@@ -130,8 +130,8 @@ def _steps(result: Result) -> Iterator[Panel]:
                           markerfacecolor="none")  # fmt: skip
                 shown = True
         if shown:
-            axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.02), frameon=False, title="rejected before",
-                        title_fontsize=8, fontsize=8, handletextpad=0.2, borderpad=0.2, alignment="left")  # fmt: skip
+            axes.legend(loc="best", framealpha=0.8, edgecolor="none", title="rejected before", title_fontsize=8,
+                        fontsize=8, handletextpad=0.2, borderpad=0.2, alignment="left")  # fmt: skip
         positive = size[size > 0]
         if positive.size:  # whole decades, so that there are always two numbers on the axis
             axes.yaxis.set_minor_formatter(NullFormatter())

@@ -16,6 +16,12 @@ def scale_for(largest: float) -> tuple[float, str]:
     return 10.0**-exponent, PREFIXES[exponent]
 
 
+def percent(ratio: float) -> str:
+    """0.0234 -> "2.3 %", 7.69 -> "769 %"."""
+    value = 100 * ratio
+    return f"{value:.2g} %" if abs(value) < 99.5 else f"{value:.0f} %"
+
+
 def quantity(value: float, unit: str, digits: int = 3) -> str:
     """0.000031, "m" -> "31 µm"."""
     factor, prefix = scale_for(abs(value))
