@@ -22,7 +22,7 @@ from sundrape_postproc.commands.view import _with_output
 from sundrape_postproc.errors import PostprocError
 from sundrape_postproc.load import Obstacle, Result
 from tests.synthetic import EVERY_KIND, TABLE, bowl, falling_tablecloth, waving, write_result
-from tests.test_pictures import Pictures
+from tests.test_pictures import Pictures, command
 
 VIEWER = Path(__file__).resolve().parents[1] / "viewer"
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
@@ -180,12 +180,10 @@ class Pages(Results):
     """The file that the command writes."""
 
     def page(self, *arguments: object) -> str:
-        self.drawn_page = self.folder / "page.html"
-        from tests.test_pictures import command
-
-        done = command("view", *arguments, "-o", self.drawn_page)
+        written = self.folder / "page.html"
+        done = command("view", *arguments, "-o", written)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
-        return self.drawn_page.read_text(encoding="utf-8")
+        return written.read_text(encoding="utf-8")
 
     def test_it_holds_the_positions_and_fields_of_the_result(self) -> None:
         result = self.loaded(falling_tablecloth(cells=6, frames=8), EVERY_KIND)

@@ -26,7 +26,9 @@ const styles = await build({
 // What would end the element early or be taken for a mark is written otherwise, with the same meaning in JavaScript.
 const script = bundled.outputFiles[0].text.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
 
-const parts = { '/* page.css */': styles.outputFiles[0].text, '/* app.js */': script };
+const licence = (await readFile(new URL('node_modules/three/LICENSE', here), 'utf8')).replaceAll('--', '- -').trim();
+
+const parts = { '/* page.css */': styles.outputFiles[0].text, '/* app.js */': script, '(licence)': licence };
 let page = await readFile(new URL('src/page.html', here), 'utf8');
 for (const mark of Object.values(marks)) {
   if (page.split(mark).length !== 2) throw new Error(`src/page.html must have ${mark} once`);

@@ -4,6 +4,7 @@ import { decimals, digits, scaleFor } from './units.js';
 
 const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1, 2];
 const ICONS = { play: 'M7 4.5v15l12.5-7.5z', pause: 'M6.5 5h4v14h-4zM13.5 5h4v14h-4z' };
+const EVERY = 80; // milliseconds between two looks of the bar while it plays
 const WATCHED = 3; // seconds that a motion should last at the speed that it starts with
 
 export class Controls {
@@ -63,9 +64,12 @@ export class Controls {
     byId('info-button').setAttribute('aria-expanded', String(open));
   }
 
-  /** Brings the bar up to date with the timeline. */
+  /** Brings the bar up to date with the timeline; while it plays, a few times a second, as laying text out takes its time. */
   show() {
     const { timeline } = this.viewer;
+    const now = performance.now();
+    if (timeline.playing && this.state === 'pause' && now - this.shown < EVERY) return;
+    this.shown = now;
     const text = this.clock();
     this.slider.value = String(timeline.nearest);
     this.slider.setAttribute('aria-valuetext', text);
