@@ -29,7 +29,7 @@ class Quantised:
 
 
 def quantise_positions(position: np.ndarray) -> Quantised:
-    """Positions (F, N, 3) [m] to 16 bits: one quantum for all axes, the largest side of the box of all frames by 65,535."""
+    """Positions (F, N, 3) [m] to 16 bits: one quantum for all axes, the largest side of all frames' box by 65,535."""
     low = position.min(axis=(0, 1))
     quantum = max(float((position.max(axis=(0, 1)) - low).max()) / LEVELS_16, 1e-12)
     return Quantised(np.rint((position - low) / quantum).astype(np.uint16), low, quantum)

@@ -14,7 +14,7 @@ ROUND = 96  # facets about a full circle
 
 
 def surface(obstacle: Obstacle) -> tuple[np.ndarray, np.ndarray]:
-    """Points (P, 3) [m] of a bounded obstacle in its own frame and its faces (E, 3 or 4), counter-clockwise from outside.
+    """Points (P, 3) [m] of a bounded obstacle in its own frame, and faces (E, 3 or 4), counter-clockwise from outside.
 
     Planes have none: see `plane`.
     """

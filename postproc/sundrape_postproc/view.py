@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import html
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -16,22 +16,17 @@ import numpy as np
 
 from . import fields, shapes
 from .coding import Quantised, pack_array, pack_series, quantise_field, quantise_positions
-from .energies import GIVEN_AND_LOST, STORED, Look, facts, method_dissipation
+from .energies import facts
 from .errors import PostprocError
-from .load import Obstacle, Probe, Result
+from .load import Obstacle, Result
 from .threads import thread_spacing
+from .view_curves import counts_frames, describe_probe, diagrams, plain, probe_rows
 
 TEMPLATE = Path(__file__).with_name("viewer.html")
 TITLE_MARK, DATA_MARK = "<!-- sundrape: title -->", "<!-- sundrape: data -->"
 NEGATIVE = 0.1  # of the upper end of the colours: values farther below zero are shown as such
 ROBUST = 99.5  # per cent of all values of a field that its colours cover
-ROWS = 2000  # of a probe's curve, at most
 STATIC_DURATION = 8.0  # of all frames of a static analysis at speed 1 [s]
-STORED_LOOKS = STORED | {"membrane": Look("membrane", "#56B4E9")}  # gravity, in the same list here, is the other blue
-PROBE_LOOKS = (
-    *(("#0072B2", ""), ("#D55E00", "6 2"), ("#009E73", "2 2"), ("#CC79A7", "8 2 2 2")),
-    *(("#7a5230", "4 3"), ("#555555", "1 2")),
-)  # colours of Okabe & Ito, dashes of SVG
 
 
 @dataclass(frozen=True)
@@ -121,12 +116,19 @@ def shown_fields(result: Result) -> list[ShownField]:
         if finite.size == 0:
             continue
         smallest, largest = float(finite.min()), float(finite.max())
-        low, high = np.percentile(finite, [100 - ROBUST, ROBUST])
-        high = float(high) if high > 1e-6 * largest else largest
-        low = float(low) if low < -NEGATIVE * high else 0.0  # a little below zero is zero: the colours begin there
-        if high - low > 1e-12 * max(abs(high), abs(low), 1e-300) and largest - smallest > 1e-9 * max(abs(largest), 1e-6):
+        if largest - smallest > 1e-9 * max(abs(largest), abs(smallest)):
+            low, high = _range(finite)
             shown.append(ShownField(field, low, high, smallest, largest, quantise_field(values, low, high)))
     return shown
+
+
+def _range(values: np.ndarray) -> tuple[float, float]:
+    """Of the colours: from zero, or from below where much is below, to what only the rarest values exceed."""
+    low, high = (float(v) for v in np.percentile(values, [100 - ROBUST, ROBUST]))
+    largest = float(values.max())
+    high = max(high if high > 1e-6 * largest else largest, 0.0)
+    low = low if low < -NEGATIVE * high else 0.0
+    return (low, high) if high > low else (float(values.min()), high)
 
 
 def blocks(result: Result, shown: Sequence[ShownField]) -> dict[str, str]:
@@ -146,7 +148,7 @@ def blocks(result: Result, shown: Sequence[ShownField]) -> dict[str, str]:
             places = np.concatenate([obstacle.path[0], obstacle.path[1].reshape(-1, 9)], axis=1)
             packed[f"body-{k}-path"] = pack_array(places, "<f4")
     for k, probe in enumerate(result.probes.values()):
-        packed[f"probe-{k}"] = pack_array(_probe_rows(result, probe), "<f4")
+        packed[f"probe-{k}"] = pack_array(probe_rows(result, probe), "<f4")
     return packed
 
 
@@ -172,8 +174,8 @@ def describe(result: Result, shown: Sequence[ShownField]) -> dict[str, Any]:
         "colours": _cividis(),
         "fields": [_field(item) for item in shown],
         "obstacles": [_obstacle(k, name, o) for k, (name, o) in enumerate(result.obstacles.items())],
-        "probes": [_probe(k, name, p) for k, (name, p) in enumerate(result.probes.items())],
-        "diagrams": _diagrams(result),
+        "probes": [describe_probe(k, name, p) for k, (name, p) in enumerate(result.probes.items())],
+        "diagrams": diagrams(result),
     }
 
 
@@ -183,19 +185,18 @@ def _axis(result: Result) -> dict[str, Any]:
     `values` ascend; `perSecond` is how far they go in a second at speed 1; `labels` are what the clock shows.
     """
     time = np.asarray(result.time, dtype=float)
-    ascends = bool(np.all(np.diff(time) > 0))
-    physical = ascends and not result.is_static
-    values = time if ascends and result.analysis != "arc-length" else np.arange(len(time), dtype=float)
-    span = max(float(values[-1] - values[0]), 1e-12)
+    counted = counts_frames(result)
+    physical = not counted and not result.is_static
+    values = np.arange(len(time), dtype=float) if counted else time
     is_load = result.analysis == "arc-length"
     return {
-        "name": ("time" if physical else "pseudo-time") if ascends and not is_load else "frame",
-        "unit": "s" if ascends and not is_load else "",
+        "name": "frame" if counted else "time" if physical else "pseudo-time",
+        "unit": "" if counted else "s",
         "labelName": "load factor" if is_load else "",
-        "labels": _plain(time) if is_load else None,
+        "labels": plain(time) if is_load else None,
         "values": values.tolist(),
         "physical": physical,
-        "perSecond": 1.0 if physical else span / STATIC_DURATION,
+        "perSecond": 1.0 if physical else max(float(values[-1] - values[0]), 1e-12) / STATIC_DURATION,
     }
 
 
@@ -240,62 +241,6 @@ def _body(obstacle: Obstacle) -> dict[str, str]:
         "normals": pack_array(shared[:, 1:], "<f4"),
         "triangles": pack_array(np.concatenate(fans), "<u4"),
     }
-
-
-def _probe(k: int, name: str, probe: Probe) -> dict[str, Any]:
-    colour, dashes = PROBE_LOOKS[k % len(PROBE_LOOKS)]
-    return {"name": name, "node": probe.node, "block": f"probe-{k}", "colour": colour, "dashes": dashes}
-
-
-def _probe_rows(result: Result, probe: Probe) -> np.ndarray:
-    """Columns along the axis of the slider: its value, x, y, z (4, S); every so many steps where there are many."""
-    if result.analysis == "arc-length":
-        if probe.node is None:
-            return np.zeros((4, 0))
-        return np.concatenate([np.arange(len(result.time))[None], result.position[:, probe.node].T])
-    rows = np.concatenate([probe.time[None], probe.position.T])
-    rows = rows[:, np.isfinite(rows).all(axis=0)]
-    if rows.shape[1] > ROWS:
-        rows = rows[:, np.unique(np.rint(np.linspace(0, rows.shape[1] - 1, ROWS)).astype(int))]
-    return rows
-
-
-def _diagrams(result: Result) -> list[dict[str, Any]]:
-    """Curves over the frames: energies as the pictures have them, of a static analysis the residual too."""
-    energies = {name: np.array(value, dtype=float) for name, value in result.energies.items()}
-    if "gravity" in energies:
-        energies["gravity"] -= energies["gravity"][0]  # its zero is arbitrary
-    lost = method_dissipation(result)
-    if lost is not None:
-        energies["method_dissipated"] = lost
-    diagrams = []
-    if not result.is_static:
-        diagrams.append(_diagram("Given and lost", "J", _curves(energies, GIVEN_AND_LOST)))
-    diagrams.append(_diagram("Stored in cloth and contact", "J", _curves(energies, STORED_LOOKS)))
-    if result.is_static and result.residual is not None and np.any(result.residual > 0):
-        look = Look("residual", "#0072B2")
-        curve = [_curve(look, np.where(result.residual > 0, result.residual, np.nan))]
-        diagrams.append(_diagram("Out-of-balance over external force", "1", curve) | {"logarithmic": True})
-    return [d for d in diagrams if d["curves"]]
-
-
-def _diagram(title: str, unit: str, curves: list[dict[str, Any]]) -> dict[str, Any]:
-    return {"title": title, "unit": unit, "curves": curves, "logarithmic": False}
-
-
-def _curves(energies: Mapping[str, np.ndarray], looks: Mapping[str, Look]) -> list[dict[str, Any]]:
-    present = (name for name in looks if name in energies and np.any(np.nan_to_num(energies[name]) != 0))
-    return [_curve(looks[name], energies[name]) for name in present]
-
-
-def _curve(look: Look, values: np.ndarray) -> dict[str, Any]:
-    dashes = "" if isinstance(look.dashes, str) else " ".join(f"{1.8 * part:.3g}" for part in look.dashes[1])
-    return {"label": look.label, "colour": look.colour, "dashes": dashes, "values": _plain(values)}
-
-
-def _plain(values: np.ndarray) -> list[float | None]:
-    """Seven digits; None for what is no number."""
-    return [float(f"{v:.7g}") if np.isfinite(v) else None for v in np.asarray(values, dtype=float)]
 
 
 def _cividis() -> str:

@@ -92,7 +92,8 @@ class Coding(unittest.TestCase):
 
     def test_arrays_come_back_as_written(self) -> None:
         numbers = np.array([0.5, -1e-3, 7e5])
-        np.testing.assert_array_equal(coding.unpack_array(coding.pack_array(numbers, "<f4"), "<f4"), numbers.astype("f4"))
+        back = coding.unpack_array(coding.pack_array(numbers, "<f4"), "<f4")
+        np.testing.assert_array_equal(back, numbers.astype("f4"))
 
 
 class Results(Pictures):
@@ -137,6 +138,13 @@ class Choices(Results):
         exact = np.stack([fields.values(replace(result, contact_force=force), "contact", k) for k in range(20)])
         seen = np.clip(exact, contact.low, contact.high)
         self.assertLessEqual(np.abs(contact.quantised.values - seen).max(), contact.quantised.quantum / 2 * (1 + 1e-9))
+
+    def test_colours_of_what_is_below_zero(self) -> None:
+        self.assertEqual(view._range(np.array([-1.0, -0.5])), (-0.9975, 0.0))
+        low, high = view._range(np.linspace(-1, 1, 401))
+        self.assertAlmostEqual(low, -0.99)
+        self.assertAlmostEqual(high, 0.99)
+        self.assertEqual(view._range(np.array([-1e-3, 0.5, 1.0]))[0], 0.0)  # a little below is noise
 
     def test_the_slider_runs_over_time_or_over_frames_where_the_load_turns_back(self) -> None:
         dynamics = view._axis(self.loaded(bowl()))
@@ -322,8 +330,9 @@ class Browser(unittest.TestCase):
             numbers = [float(n.replace("−", "-")) for n in re.findall(r"(−?[\d.]+) mm", pick["card"])]
             np.testing.assert_allclose(numbers, [x, y, z, 0], atol=0.006)
         self.assertIsNone(self.report["pickedInTheSky"])
+        marker = self.report["marker"]
         for axis in "xy":
-            self.assertAlmostEqual(self.report["marker"]["shown"][axis], self.report["marker"]["wanted"][axis], delta=0.2)
+            self.assertAlmostEqual(marker["shown"][axis], marker["wanted"][axis], delta=0.2)
 
     def test_dragging_turns_the_view_and_reset_brings_it_back(self) -> None:
         orbit = self.report["orbit"]

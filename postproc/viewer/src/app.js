@@ -162,7 +162,8 @@ async function run() {
     await viewer.start();
   } catch (trouble) {
     byId('waiting').hidden = false;
-    byId('waiting').textContent = `The cloth cannot be shown: ${trouble.message}. The page needs a browser with WebGL 2 and DecompressionStream.`;
+    byId('waiting').textContent = `The cloth cannot be shown: ${trouble.message}. `
+      + 'The page needs a browser with WebGL 2 and DecompressionStream.';
     throw trouble;
   }
   hook(viewer);

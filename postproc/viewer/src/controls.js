@@ -99,7 +99,7 @@ export class Controls {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { target } = event;
     if (target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type === 'number')) return;
-    const action = this.actions(target)[event.key];
+    const action = this.actions(target)[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!action) return;
     event.preventDefault();
     action();

@@ -6,12 +6,18 @@ export const readAbout = () => JSON.parse(document.getElementById('about').textC
 /** @returns {Promise<Uint8Array>} the bytes of a block, whose text is dropped from the page */
 async function bytesOf(name) {
   const element = document.getElementById(name);
-  const text = atob(element.textContent);
+  const packed = fromBase64(element.textContent);
   element.remove();
-  const packed = new Uint8Array(text.length);
-  for (let k = 0; k < packed.length; k += 1) packed[k] = text.charCodeAt(k);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+function fromBase64(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const characters = atob(text);
+  const bytes = new Uint8Array(characters.length);
+  for (let k = 0; k < bytes.length; k += 1) bytes[k] = characters.charCodeAt(k);
+  return bytes;
 }
 
 export const has = (name) => document.getElementById(name) !== null;

@@ -32,7 +32,8 @@ export function buildInfo(about) {
     make('table', {}, make('tbody', {}, ...rows.map(([name, value]) => row(name, value)))),
     ...(about.warnings.length > 0 ? [warnings] : []),
     make('h2', {}, 'What is drawn'),
-    make('p', {}, 'The mesh of the run. While it plays, the cloth between two frames is drawn in a line between them; when it stands, it is a frame of the file. '
+    make('p', {}, 'The mesh of the run. While it plays, the cloth between two frames is drawn in a line between them; '
+      + 'when it stands, it is a frame of the file. '
       + 'Bodies are drawn a little farther back than they are, so that cloth between two nodes is not cut by their edges.'),
     make('h2', {}, 'Keys'),
     make('table', {}, make('tbody', {}, ...[

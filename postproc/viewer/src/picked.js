@@ -16,7 +16,8 @@ export class Picked {
     this.unit = extent >= 1 ? { factor: 100, unit: 'cm' } : { factor: 1000, unit: 'mm' };
     this.places = Math.max(0, Math.floor(-Math.log10(about.quantum * this.unit.factor)));
     this.ring = mark('picked', '#c2255c', '');
-    this.probes = about.probes.filter((p) => p.node !== null).map((p) => ({ node: p.node, element: mark('probe', p.colour, p.name) }));
+    this.probes = about.probes.filter((p) => p.node !== null)
+      .map((p) => ({ node: p.node, element: mark('probe', p.colour, p.name) }));
     byId('markers').replaceChildren(...this.probes.map((p) => p.element), this.ring);
     this.choose(null);
     this.listen();
@@ -63,7 +64,11 @@ export class Picked {
     const first = cloth.at(0, this.node);
     const moved = Math.hypot(...here.map((value, axis) => value - first[axis]));
     const length = (value) => `${decimals(value * this.unit.factor, this.places)} ${this.unit.unit}`;
-    const rows = [['Node', String(this.node)], ...here.map((value, axis) => ['xyz'[axis], length(value)]), ['from first frame', length(moved)]];
+    const rows = [
+      ['Node', String(this.node)],
+      ...here.map((value, axis) => ['xyz'[axis], length(value)]),
+      ['from first frame', length(moved)],
+    ];
     if (field !== null) rows.push([field.label, this.fieldText(field)]);
     const probe = about.probes.find((p) => p.node === this.node);
     if (probe) rows.push(['probe', probe.name]);

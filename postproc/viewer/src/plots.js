@@ -30,8 +30,10 @@ export class Plots {
     }
     if (probes.length > 0) this.tabs.push({ name: 'Probes', diagrams: probeDiagrams(probes) });
     const { values } = this.about.axis;
-    const energies = this.about.diagrams.map((d) => ({ ...d, curves: d.curves.map((c) => ({ ...c, x: values, y: c.values })) }));
-    if (energies.length > 0) this.tabs.push({ name: energies.some((d) => d.logarithmic) ? 'Energies and residual' : 'Energies', diagrams: energies });
+    const energies = this.about.diagrams
+      .map((d) => ({ ...d, curves: d.curves.map((c) => ({ ...c, x: values, y: c.values })) }));
+    const residual = energies.some((d) => d.logarithmic);
+    if (energies.length > 0) this.tabs.push({ name: residual ? 'Energies and residual' : 'Energies', diagrams: energies });
     if (this.tabs.length === 0) {
       byId('plots').hidden = true;
       return;

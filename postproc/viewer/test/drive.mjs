@@ -2,18 +2,14 @@
 // usage: node drive.mjs TASK.json   with {chromium, page, big, failed, frames, nodes, position}
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { launch } from './browser.mjs';
 
 const task = JSON.parse(await readFile(process.argv[2], 'utf8'));
 const messages = [];
 const requests = [];
 const LOADS = 4; // the first warms the browser up and does not count
 
-const browser = await chromium.launch({
-  executablePath: task.chromium,
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-rasterization', '--disable-quic', '--no-first-run',
-    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
-});
+const browser = await launch(task.chromium);
 
 async function open(path, context = {}) {
   const opened = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...context });
