@@ -60,13 +60,12 @@ TEST_F(FabricLibrary, HasTheFabricsOfThePapers) {
     const char* name;
     double thickness, weight, strip, poisson;  // cm, gf/cm², gf cm²/cm, 1
   };
-  for (const Row& row : {Row{"cotton-twill", 0.0489, 0.02665, 0.589, 0.3},
-                         Row{"tablecloth-cotton", 0.054229, 0.0238385, 11811.6 * std::pow(0.054229, 3) / 12, 0.3},
-                         Row{"polyester-plain-weave", 0.0469, 0.0176602, 18438 * std::pow(0.0469, 3) / 12, 0},
-                         Row{"overhang-strip", 0.0406, 0.0255, 0.386, 0},
-                         Row{"polyester-faille", 0.0226, 0.01043, 0.019, 0},
-                         Row{"wool-tropical", 0.0407, 0.01629, 0.067, 0},
-                         Row{"cotton-broadcloth", 0.0497, 0.01238, 0.118, 0}}) {
+  for (const Row& row :
+       {Row{"cotton-twill", 0.0489, 0.02665, 0.589, 0.3},
+        Row{"tablecloth-cotton", 0.054229, 0.0238385, 11811.6 * std::pow(0.054229, 3) / 12, 0.3},
+        Row{"polyester-plain-weave", 0.0469, 0.0176602, 18438 * std::pow(0.0469, 3) / 12, 0},
+        Row{"overhang-strip", 0.0406, 0.0255, 0.386, 0}, Row{"polyester-faille", 0.0226, 0.01043, 0.019, 0},
+        Row{"wool-tropical", 0.0407, 0.01629, 0.067, 0}, Row{"cotton-broadcloth", 0.0497, 0.01238, 0.118, 0}}) {
     const Fabric f = fabric("fabric = \"" + std::string(row.name) + '"');
     // the digits of the table, in which lengths are rounded to five and count three times
     EXPECT_NEAR(f.thickness, row.thickness * 1e-2, 1e-5 * f.thickness) << row.name;

@@ -127,7 +127,7 @@ TEST_F(AResult, KeepsItsContentWhenItIsCompactedAndTakesNoMoreThanItsNumbers) {
   writer.finish(ResultStatus::done);
   EXPECT_EQ(samples::complaint(ResultReader(file())), "");
   const auto numbers = 10 * 441 * (3 + 3 + 3 + 1) * 8;  // position, velocity, contact force, energy density
-  EXPECT_GT(spacious, 50U * numbers);  // space for 1000 frames
+  EXPECT_GT(spacious, 50U * numbers);                   // space for 1000 frames
   EXPECT_LT(std::filesystem::file_size(file()), numbers + 100000U);
 }
 
