@@ -11,6 +11,7 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(assimp REQUIRED)
+find_package(muparser REQUIRED)
 
 # SuiteSparse 5 and UDUNITS ship no CMake package. Makes the imported target sundrape::<name>.
 function(sundrape_find_library name header header_folder)

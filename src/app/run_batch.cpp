@@ -32,7 +32,7 @@ constexpr const char* marker = ".sundrape-batch";  // in folders whose results m
 
 /// What an earlier batch left in a file, if it is of this very case. Relaxations are not gone on with: their fictitious
 /// motion would have lost its momentum and could end elsewhere.
-Earlier earlier_result(const fs::path& file, const Case& c) {
+Earlier earlier_result(const fs::path& file, const Case& c, bool may_resume) {
   if (!fs::exists(file)) return Earlier::nothing;
   try {
     const ResultReader result(file);
@@ -40,7 +40,7 @@ Earlier earlier_result(const fs::path& file, const Case& c) {
       return Earlier::nothing;
     if (result.status() == "done") return Earlier::done;
     const bool out_of_time = result.status() == "failed" && says_out_of_time(result.message());
-    const bool stopped = result.status() != "failed" || out_of_time;
+    const bool stopped = may_resume && (result.status() != "failed" || out_of_time);
     return stopped && c.analysis != Analysis::relaxation && result.checkpoint() ? Earlier::resumable : Earlier::nothing;
   } catch (const FileError&) {  // broken: run again
     return Earlier::nothing;
@@ -93,7 +93,7 @@ class Batch {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const auto c = read_case(options_.case_file, runs_[i].sets);
       outcomes_[i].result = options_.folder / (runs_[i].name + ".h5");
-      const auto earlier = earlier_result(outcomes_[i].result, c);
+      const auto earlier = earlier_result(outcomes_[i].result, c, options_.resume);
       if (earlier == Earlier::nothing && !own && fs::exists(outcomes_[i].result))
         throw FileError(
             fmt::format("{}: exists already and is of no earlier study or crosscheck: choose another folder "

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "sundrape/app/study_report.hpp"
@@ -37,10 +40,41 @@ std::vector<std::string> measures(const StudyOutcome& outcome, const EndState& e
   return cells;
 }
 
+/// What begins a line of a table of runs.
+std::vector<std::string> run_header(const Study& study) {
+  std::vector<std::string> header{"run"};
+  for (const auto& axis : study.axes) header.push_back(axis.name);
+  header.emplace_back("status");
+  return header;
+}
+
+std::vector<std::string> run_cells(const Study& study, const StudyOutcome& outcome, std::size_t run) {
+  std::vector<std::string> cells{outcome.names[run]};
+  for (std::size_t a = 0; a < study.axes.size(); ++a) cells.push_back(study.value(run, a).label);
+  cells.emplace_back(status_text(outcome.runs[run].status));
+  return cells;
+}
+
+/// Columns of the outputs that are timings, or of those that are not, with their units: "height [cm]".
+void add_output_names(const Study& study, bool timings, std::vector<std::string>& header) {
+  for (const auto& output : study.outputs)
+    if (is_timing(output) == timings)
+      header.push_back(output.unit.empty() ? output.name : fmt::format("{} [{}]", output.name, output.unit));
+}
+
+void add_outputs(const Study& study, const StudyOutcome& outcome, std::size_t run, bool timings,
+                 std::vector<std::string>& cells) {
+  for (std::size_t k = 0; k < study.outputs.size(); ++k) {
+    if (is_timing(study.outputs[k]) != timings) continue;
+    const double value = outcome.table.values[run][k];
+    cells.push_back(std::isfinite(value) ? fmt::format("{}", value) : "");
+  }
+}
+
 }  // namespace
 
 std::string drapes_csv(const Study& study, const StudyOutcome& outcome) {
-  auto header = axis_keys(study, true);
+  auto header = axis_names(study, true);
   for (const auto* name : {"drape", "count", "runs", "spread_m"}) header.emplace_back(name);
   const auto names = measure_names(outcome);
   header.insert(header.end(), names.begin(), names.end());
@@ -60,22 +94,38 @@ std::string drapes_csv(const Study& study, const StudyOutcome& outcome) {
 }
 
 std::string runs_csv(const Study& study, const StudyOutcome& outcome) {
-  std::vector<std::string> header{"run"};
-  for (const auto& axis : study.axes) header.push_back(axis.key);
-  header.insert(header.end(), {"status", "drape"});
+  auto header = run_header(study);
+  add_output_names(study, false, header);
   const auto names = measure_names(outcome);
-  header.insert(header.end(), names.begin(), names.end());
+  if (study.branches) {
+    header.emplace_back("drape");
+    header.insert(header.end(), names.begin(), names.end());
+  }
   auto text = csv_line(header);
   for (std::size_t run = 0; run < outcome.runs.size(); ++run) {
-    std::vector<std::string> cells{outcome.names[run]};
-    const auto chosen = study.combination(run);
-    for (std::size_t a = 0; a < study.axes.size(); ++a) cells.push_back(shown(study.axes[a].values[chosen[a]]));
-    const auto place = place_of(outcome, run);
-    cells.emplace_back(status_text(outcome.runs[run].status));
-    cells.push_back(place.drape ? fmt::format("{}", *place.drape + 1) : "");
-    const auto numbers =
-        outcome.ends[run] ? measures(outcome, *outcome.ends[run]) : std::vector<std::string>(names.size());
-    cells.insert(cells.end(), numbers.begin(), numbers.end());
+    auto cells = run_cells(study, outcome, run);
+    add_outputs(study, outcome, run, false, cells);
+    if (study.branches) {
+      const auto place = place_of(outcome, run);
+      cells.push_back(place.drape ? fmt::format("{}", *place.drape + 1) : "");
+      const auto numbers =
+          outcome.ends[run] ? measures(outcome, *outcome.ends[run]) : std::vector<std::string>(names.size());
+      cells.insert(cells.end(), numbers.begin(), numbers.end());
+    }
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+bool has_timings(const Study& study) { return std::ranges::any_of(study.outputs, is_timing); }
+
+std::string timings_csv(const Study& study, const StudyOutcome& outcome) {
+  auto header = run_header(study);
+  add_output_names(study, true, header);
+  auto text = csv_line(header);
+  for (std::size_t run = 0; run < outcome.runs.size(); ++run) {
+    auto cells = run_cells(study, outcome, run);
+    add_outputs(study, outcome, run, true, cells);
     text += csv_line(cells);
   }
   return text;

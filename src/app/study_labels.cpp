@@ -11,20 +11,14 @@ std::string joined(const std::vector<std::string>& parts, const char* by) {
   return fmt::format("{}", fmt::join(parts, by));
 }
 
-std::string shown(const std::string& value) {
-  const bool text = value.size() >= 2 && value.front() == '"' && value.back() == '"';
-  return text ? value.substr(1, value.size() - 2) : value;
-}
-
 bool is_group_axis(const Study& study, std::size_t axis) {
-  return std::ranges::find(study.group_axes, axis) != study.group_axes.end();
+  return study.branches && std::ranges::find(study.branches->group_axes, axis) != study.branches->group_axes.end();
 }
 
 std::string run_label(const Study& study, std::size_t run) {
   std::vector<std::string> values;
-  const auto chosen = study.combination(run);
   for (std::size_t a = 0; a < study.axes.size(); ++a)
-    if (!is_group_axis(study, a)) values.push_back(shown(study.axes[a].values[chosen[a]]));
+    if (!is_group_axis(study, a)) values.push_back(study.value(run, a).label);
   return values.size() == 1 ? values.front() : fmt::format("({})", joined(values, ", "));
 }
 
@@ -35,17 +29,17 @@ std::string run_labels(const Study& study, const std::vector<std::size_t>& runs)
   return joined(labels, " ");
 }
 
-std::vector<std::string> axis_keys(const Study& study, bool of_groups) {
-  std::vector<std::string> keys;
+std::vector<std::string> axis_names(const Study& study, bool of_groups) {
+  std::vector<std::string> names;
   for (std::size_t a = 0; a < study.axes.size(); ++a)
-    if (is_group_axis(study, a) == of_groups) keys.push_back(study.axes[a].key);
-  return keys;
+    if (is_group_axis(study, a) == of_groups) names.push_back(study.axes[a].name);
+  return names;
 }
 
 std::vector<std::string> group_values(const Study& study, const StudyGroup& group) {
   std::vector<std::string> values;
-  for (std::size_t k = 0; k < study.group_axes.size(); ++k)
-    values.push_back(shown(study.axes[study.group_axes[k]].values[group.values[k]]));
+  for (std::size_t k = 0; k < group.values.size(); ++k)
+    values.push_back(study.axes[study.branches->group_axes[k]].values[group.values[k]].label);
   return values;
 }
 

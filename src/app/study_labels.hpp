@@ -9,14 +9,12 @@ namespace sundrape {
 
 /// Words that the reports of a study share.
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, const char* by);
-/// A value of an axis without the quotes of a string.
-[[nodiscard]] std::string shown(const std::string& value);
 [[nodiscard]] bool is_group_axis(const Study& study, std::size_t axis);
 /// The values of the axes within a group that make a run: "3", or "(3, 0.1)" where there are several.
 [[nodiscard]] std::string run_label(const Study& study, std::size_t run);
 [[nodiscard]] std::string run_labels(const Study& study, const std::vector<std::size_t>& runs);
-/// Keys of the axes that make groups, or of the others.
-[[nodiscard]] std::vector<std::string> axis_keys(const Study& study, bool of_groups);
+/// Names of the axes that make groups, or of the others.
+[[nodiscard]] std::vector<std::string> axis_names(const Study& study, bool of_groups);
 /// Values of the axes that make groups.
 [[nodiscard]] std::vector<std::string> group_values(const Study& study, const StudyGroup& group);
 [[nodiscard]] std::vector<std::string> probe_names(const StudyOutcome& outcome);

@@ -41,49 +41,16 @@ void sort_group(const Study& study, const StudyOutcome& outcome, const CaseModel
   group.diagonal = diagonal(model.mesh);
   group.symmetries = symmetries.maps.size();
   group.neutral = symmetries.neutral;
-  group.drapes =
-      sort_into_drapes(distances(symmetries, model.mesh.nodes(), ends), energies, study.same_shape * group.diagonal);
+  group.drapes = sort_into_drapes(distances(symmetries, model.mesh.nodes(), ends), energies,
+                                  study.branches->same_shape * group.diagonal);
   for (auto& drape : group.drapes) {
     for (auto& member : drape.members) member = group.runs[member];
     drape.representative = group.runs[drape.representative];
   }
 }
 
-std::string file_safe(std::string text) {
-  std::erase(text, '"');
-  for (char& c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view("._+-").find(c) == std::string_view::npos)
-      c = '_';
-  return text;
-}
-
-}  // namespace
-
-std::vector<std::string> run_names(const Study& study) {
-  std::map<std::string, int> count;
-  const auto last_part = [](const std::string& key) { return key.substr(key.rfind('.') + 1); };
-  for (const auto& axis : study.axes) ++count[last_part(axis.key)];
-  std::vector<std::string> names;
-  for (std::size_t run = 0; run < study.runs(); ++run) {
-    std::vector<std::string> parts;
-    const auto chosen = study.combination(run);
-    for (std::size_t a = 0; a < study.axes.size(); ++a) {
-      const auto& axis = study.axes[a];
-      const auto part = last_part(axis.key);
-      parts.push_back(file_safe(count[part] > 1 ? axis.key : part) + "=" + file_safe(axis.values[chosen[a]]));
-    }
-    names.push_back(fmt::format("{}", fmt::join(parts, ",")));
-  }
-  const bool unique = std::set<std::string>(names.begin(), names.end()).size() == names.size();
-  const bool short_enough = std::ranges::all_of(names, [](const auto& name) { return name.size() <= longest_name; });
-  if (!unique || !short_enough)
-    for (std::size_t run = 0; run < names.size(); ++run) names[run] = fmt::format("run-{:04}", run + 1);
-  return names;
-}
-
-StudyOutcome study_outcome(const Study& study, std::vector<std::string> names, std::vector<BatchOutcome> runs) {
-  StudyOutcome outcome{.names = std::move(names), .runs = std::move(runs), .ends = {}, .groups = {}};
-  outcome.ends.resize(outcome.runs.size());
+/// Fills in the ends of runs and their drapes.
+void sort_drapes(const Study& study, StudyOutcome& outcome) {
   std::map<std::vector<std::size_t>, StudyGroup> groups;  // by the values of the group axes
   for (std::size_t run = 0; run < outcome.runs.size(); ++run) {
     auto values = study.group_of(run);
@@ -101,6 +68,50 @@ StudyOutcome study_outcome(const Study& study, std::vector<std::string> names, s
     if (first) sort_group(study, outcome, *first, group);
     outcome.groups.push_back(std::move(group));
   }
+}
+
+std::string file_safe(std::string text) {
+  std::erase(text, '"');
+  for (char& c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view("._+-").find(c) == std::string_view::npos)
+      c = '_';
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> run_names(const Study& study) {
+  std::map<std::string, int> count;
+  const auto last_part = [](const std::string& key) { return key.substr(key.rfind('.') + 1); };
+  for (const auto& axis : study.axes) ++count[last_part(axis.name)];
+  std::vector<std::string> names;
+  for (std::size_t run = 0; run < study.runs(); ++run) {
+    std::vector<std::string> parts;
+    for (std::size_t a = 0; a < study.axes.size(); ++a) {
+      const auto& name = study.axes[a].name;
+      const auto part = last_part(name);
+      parts.push_back(file_safe(count[part] > 1 ? name : part) + "=" + file_safe(study.value(run, a).label));
+    }
+    names.push_back(fmt::format("{}", fmt::join(parts, ",")));
+  }
+  const bool unique = std::set<std::string>(names.begin(), names.end()).size() == names.size();
+  const bool short_enough = std::ranges::all_of(names, [](const auto& name) { return name.size() <= longest_name; });
+  if (!unique || !short_enough)
+    for (std::size_t run = 0; run < names.size(); ++run) names[run] = fmt::format("run-{:04}", run + 1);
+  return names;
+}
+
+StudyOutcome study_outcome(const Study& study, std::vector<std::string> names, std::vector<BatchOutcome> runs,
+                           std::optional<BatchOutcome> reference) {
+  StudyOutcome outcome{.names = std::move(names),
+                       .runs = std::move(runs),
+                       .reference = std::move(reference),
+                       .table = {},
+                       .ends = {},
+                       .groups = {}};
+  outcome.table = study_table(study, outcome.runs, outcome.reference);
+  outcome.ends.resize(outcome.runs.size());
+  if (study.branches) sort_drapes(study, outcome);
   return outcome;
 }
 

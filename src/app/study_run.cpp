@@ -19,14 +19,17 @@
 namespace sundrape {
 namespace {
 
+constexpr const char* reference_name = "reference";  // of its result; names of runs have a "="
+
 /// In a handler: what the case says to a value becomes what the study's line says.
 [[noreturn]] void rethrow(const Study& study, std::size_t run, const CaseError& problem) {
-  const auto chosen = study.combination(run);
-  for (std::size_t a = 0; a < study.axes.size(); ++a) {
-    const auto& axis = study.axes[a];
-    if (problem.file() == fmt::format("--set {}={}", axis.key, axis.values[chosen[a]]))
-      throw CaseError(axis.source, fmt::format("{} = {}: {}", axis.key, axis.values[chosen[a]], problem.message()));
-  }
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    for (const auto& setting : study.value(run, a).settings)
+      if (problem.file() == "--set " + setting) {
+        const auto equals = setting.find('=');
+        throw CaseError(study.axes[a].source, fmt::format("{} = {}: {}", setting.substr(0, equals),
+                                                          setting.substr(equals + 1), problem.message()));
+      }
   throw;
 }
 
@@ -37,12 +40,15 @@ std::string difference(const CaseModel& a, const CaseModel& b) {
 }
 
 /// Reads every run's case and builds its model, so that what is wrong is said before any of them runs.
-/// @throws CaseError  also on different meshes, or a net and a shell, in one group
+/// @throws CaseError  also on different meshes, or a net and a shell, in one group of drapes
 void require_runs(const Study& study, const std::vector<std::string>& names) {
   std::map<std::vector<std::size_t>, std::pair<std::size_t, CaseModel>> first;  // run and model, by group
   for (std::size_t run = 0; run < study.runs(); ++run) {
     try {
-      auto model = weighing_model(read_case(study.case_file, study.settings(run)));
+      const Case c = read_case(study.case_file, study.settings(run));
+      require_outputs(study, c);
+      auto model = weighing_model(c);
+      if (!study.branches) continue;
       const auto group = study.group_of(run);
       const auto found = first.find(group);
       if (found == first.end()) {
@@ -60,34 +66,53 @@ void require_runs(const Study& study, const std::vector<std::string>& names) {
   }
 }
 
+/// What people want to know when it is done.
+void say(const Study& study, const StudyOutcome& outcome, const std::filesystem::path& folder) {
+  std::cout << study_text(study, outcome);
+  if (!study.outputs.empty()) fmt::print("the table: {}\n", (folder / "study.csv").string());
+  if (!study.figures.empty())
+    fmt::print("its figures: python3 -m sundrape_postproc study {} -o {}\n", folder.string(),
+               (folder / "figures").string());
+  if (study.branches)
+    fmt::print("a picture of every drape: python3 -m sundrape_postproc drapes {} -o {}\n", folder.string(),
+               (folder / "drapes.png").string());
+}
+
 }  // namespace
 
 ExitStatus run_study(const StudyOptions& options) {
-  const Study study = read_study(options.study_file);
+  Study study = read_study(options.study_file);
   const auto folder = options.folder.value_or(options.study_file.stem());
   auto names = run_names(study);
   require_runs(study, names);
+  complete_units(study, read_case(study.case_file, study.settings(0)));
   std::vector<BatchRun> runs;
   for (std::size_t run = 0; run < study.runs(); ++run) runs.push_back({names[run], study.settings(run)});
-  auto outcomes = run_batch(
-      runs,
-      {.case_file = study.case_file, .folder = folder / "runs", .jobs = options.jobs, .verbosity = options.verbosity});
+  if (study.reference) runs.push_back({reference_name, study.reference_settings()});
+  auto outcomes = run_batch(runs, {.case_file = study.case_file,
+                                   .folder = folder / "runs",
+                                   .jobs = options.jobs,
+                                   .resume = study.resume,
+                                   .verbosity = options.verbosity});
   const auto count = [&](BatchStatus status) { return std::ranges::count(outcomes, status, &BatchOutcome::status); };
   if (count(BatchStatus::interrupted) > 0) {
     fmt::print(stderr, "{}: interrupted: {} of {} runs are done; the same command goes on with the others\n",
                options.study_file.string(), count(BatchStatus::done), outcomes.size());
     return ExitStatus::interrupted;
   }
-  const bool failed = count(BatchStatus::failed) > 0;
-  const auto outcome = study_outcome(study, std::move(names), std::move(outcomes));
+  const bool failed = count(BatchStatus::failed) > 0;  // also the reference
+  std::optional<BatchOutcome> reference;
+  if (study.reference) {
+    reference = std::move(outcomes.back());
+    outcomes.pop_back();
+  }
+  const auto outcome = study_outcome(study, std::move(names), std::move(outcomes), std::move(reference));
   write_text(folder / "study.json", study_json(study, outcome, folder).dump(2) + "\n");
   write_text(folder / "study.csv", runs_csv(study, outcome));
-  write_text(folder / "drapes.csv", drapes_csv(study, outcome));
-  if (options.verbosity != Verbosity::quiet) {
-    std::cout << study_text(study, outcome);
-    fmt::print("a picture of every drape: python3 -m sundrape_postproc drapes {} -o {}\n", folder.string(),
-               (folder / "drapes.png").string());
-  }
+  write_study_file(folder / "study.h5", study, outcome);
+  if (has_timings(study)) write_text(folder / "timings.csv", timings_csv(study, outcome));
+  if (study.branches) write_text(folder / "drapes.csv", drapes_csv(study, outcome));
+  if (options.verbosity != Verbosity::quiet) say(study, outcome, folder);
   return failed ? ExitStatus::failed : ExitStatus::done;
 }
 

@@ -26,7 +26,7 @@ const std::array<std::vector<Names>, 2> alternatives{
     std::vector<Names>{{"weight"}, {"density_area"}, {"density"}},
     std::vector<Names>{{"youngs_modulus"}, {"warp_modulus", "weft_modulus", "shear_modulus"}}};
 
-constexpr std::array merged_tables{"damping", "net"};
+constexpr std::array merged_tables{"damping", "net", "scale"};
 
 bool is_merged(std::string_view key) {
   return std::find(merged_tables.begin(), merged_tables.end(), key) != merged_tables.end();

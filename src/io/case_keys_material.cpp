@@ -66,6 +66,10 @@ Section material() {
                .type = KeyType::table,
                .holds = "material.damping",
                .doc = "What turns motion into heat."},
+              {.name = "scale",
+               .type = KeyType::table,
+               .holds = "material.scale",
+               .doc = "Factors on the stiffnesses, for studies."},
               {.name = "net",
                .type = KeyType::table,
                .holds = "material.net",
@@ -170,6 +174,23 @@ Section damping() {
   };
 }
 
+Section scale() {
+  const auto factor = [](const char* name, const char* doc) {
+    return Key{.name = name, .range = positive(), .default_value = "1", .doc = doc};
+  };
+  return {
+      .name = "material.scale",
+      .heading = "`scale = { ... }` of `[material]`",
+      .doc = "Factors on what the fabric has, whatever its laws: to ask what a stiffness matters.",
+      .keys =
+          {
+              factor("membrane",
+                     "On the stiffnesses of the membrane, in-plane shear included; transverse shear stays."),
+              factor("bending", "On all moments of bending."),
+          },
+  };
+}
+
 Section net() {
   return {
       .name = "material.net",
@@ -198,6 +219,6 @@ Section net() {
 
 }  // namespace
 
-std::vector<Section> material_keys() { return {material(), bending(), damping(), net()}; }
+std::vector<Section> material_keys() { return {material(), bending(), damping(), scale(), net()}; }
 
 }  // namespace sundrape

@@ -24,9 +24,28 @@ Section top() {
                .holds = "axis",
                .required = true,
                .doc = "What is varied; at least one."},
+              {.name = "output",
+               .type = KeyType::tables,
+               .holds = "output",
+               .doc = "What is read off every run: the columns of the table."},
+              {.name = "reference",
+               .type = KeyType::table,
+               .holds = "reference",
+               .doc = "One more run, which outputs measure the distance from."},
+              {.name = "figure",
+               .type = KeyType::tables,
+               .holds = "figure",
+               .doc = "What `sundrape_postproc study` draws."},
+              {.name = "resume",
+               .type = KeyType::boolean,
+               .default_value = "false",
+               .doc = "Whether runs that were stopped go on from their checkpoints. A run that was resumed differs by "
+                      "its tolerance from one that was not, so by default they begin anew, and tables do not hang on "
+                      "what happened on the way."},
               {.name = "branches",
                .type = KeyType::table,
                .holds = "branches",
+               .default_note = "drapes are sorted in studies without outputs",
                .doc = "Which end states are one drape."},
           },
   };
@@ -36,18 +55,26 @@ Section axis() {
   return {
       .name = "axis",
       .heading = "`[[axis]]`",
-      .doc = "One key of the case and the values that it takes.",
+      .doc = "One key of the case and the values that it takes, or several keys that change together.",
       .keys =
           {
-              {.name = "key",
-               .type = KeyType::text,
-               .required = true,
-               .doc = "As for `--set`: `\"cloth.waviness.seed\"`."},
+              {.name = "name",
+               .type = KeyType::name,
+               .default_note = "the key",
+               .doc = "Of the table's column; required with `settings`."},
+              {.name = "key", .type = KeyType::text, .doc = "As for `--set`: `\"cloth.waviness.seed\"`."},
               {.name = "values",
                .type = KeyType::values,
                .holds = "axis.values",
-               .required = true,
-               .doc = R"(A list, `[1, 2, 3]` or `["0.5 mm", "1 mm"]`, or a range.)"},
+               .doc = R"(Of the key: a list, `[1, 2, 3]` or `["0.5 mm", "1 mm"]`, or a range.)"},
+              {.name = "settings",
+               .type = KeyType::text_lists,
+               .doc = R"(Instead of `key` and `values`: each value as a list of settings, )"
+                      R"(`[["model=particle", "cloth.cells=[20, 20]"], ["model=shell", "cloth.cells=[10, 10]"]]`.)"},
+              {.name = "labels",
+               .type = KeyType::texts,
+               .default_note = "the values, or numbers from 1 on",
+               .doc = "What tables and figures call each value."},
           },
   };
 }
@@ -85,6 +112,66 @@ Section range() {
   };
 }
 
+Section output() {
+  return {
+      .name = "output",
+      .heading = "`[[output]]`",
+      .doc = "A number that is read off every run when it is done.",
+      .keys =
+          {
+              {.name = "name", .type = KeyType::name, .required = true, .doc = "Of the table's column."},
+              {.name = "value",
+               .type = KeyType::text,
+               .required = true,
+               .doc = "An expression over what the result holds: `\"at(probe.tip.z, 0.3 s)\"`."},
+              {.name = "unit",
+               .type = KeyType::text,
+               .default_note = "SI",
+               .doc = "Unit of the column, such as `\"cm\"`. An expression's value is SI, and is divided by it."},
+          },
+  };
+}
+
+Section reference() {
+  return {
+      .name = "reference",
+      .heading = "`[reference]`",
+      .doc =
+          "A run with settings of its own instead of the axes' values, such as tighter tolerances. Outputs may ask for "
+          "`reference.rms` and `reference.max`; meshes must be the same.",
+      .keys =
+          {
+              {.name = "set",
+               .type = KeyType::texts,
+               .required = true,
+               .doc = "Its settings, on top of those of all runs."},
+          },
+  };
+}
+
+Section figure() {
+  const auto log = [](const char* name) {
+    return Key{.name = name, .type = KeyType::boolean, .default_value = "false", .doc = "A logarithmic scale."};
+  };
+  return {
+      .name = "figure",
+      .heading = "`[[figure]]`",
+      .doc = "Curves of outputs.",
+      .keys =
+          {
+              {.name = "name", .type = KeyType::name, .required = true, .doc = "Of its file."},
+              {.name = "x", .type = KeyType::text, .required = true, .doc = "An axis or an output, by name."},
+              {.name = "y", .type = KeyType::texts, .required = true, .doc = "Outputs, by name: a row of panels each."},
+              {.name = "by", .type = KeyType::text, .doc = "The axis whose values make a curve each."},
+              {.name = "panels", .type = KeyType::text, .doc = "The axis whose values make a column of panels each."},
+              log("log_x"),
+              log("log_y"),
+              {.name = "slope",
+               .doc = "Of a straight line for the eye where both scales are logarithmic: an order of convergence."},
+          },
+  };
+}
+
 Section branches() {
   return {
       .name = "branches",
@@ -102,13 +189,13 @@ Section branches() {
                .default_note =
                    "the axes that change the case itself: all but those of `cloth.waviness`, `cloth.start` and of the "
                    "tables of analyses",
-               .doc = "Keys of axes: drapes are formed within each combination of their values."},
+               .doc = "Names of axes: drapes are formed within each combination of their values."},
           },
   };
 }
 
 }  // namespace
 
-std::vector<Section> study_keys() { return {top(), axis(), range(), branches()}; }
+std::vector<Section> study_keys() { return {top(), axis(), range(), output(), reference(), figure(), branches()}; }
 
 }  // namespace sundrape

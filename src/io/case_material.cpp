@@ -58,6 +58,8 @@ Fabric resolve_elasticity(const CaseSection& material) {
 Fabric resolve_fabric(const CaseSection& material) {
   Fabric fabric = resolve_elasticity(material);
   if (material.has("bending")) resolve_bending(material.table("bending"), fabric);
+  const CaseSection scale = material.table("scale");
+  fabric = scaled(std::move(fabric), scale.number("membrane"), scale.number("bending"));
   const CaseSection damping = material.table("damping");
   fabric.damping = {damping.number("mass"), damping.number("membrane"), damping.number("bending")};
   const CaseSection net = material.table("net");

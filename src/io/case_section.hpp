@@ -54,6 +54,7 @@ class CaseSection {
   [[nodiscard]] std::string text(std::string_view name) const;  // also of a choice, a name, a file
   [[nodiscard]] std::vector<std::string> choices(std::string_view name) const;
   [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
+  [[nodiscard]] std::vector<std::vector<std::string>> text_lists(std::string_view name) const;
   /// The entries of a list as TOML text; nothing if it is a range: a table, which table() reads.
   [[nodiscard]] std::optional<std::vector<std::string>> listed_values(std::string_view name) const;
   [[nodiscard]] double unit(std::string_view name) const;    // what one of it is in SI
@@ -72,6 +73,7 @@ class CaseSection {
   [[nodiscard]] const toml::node* given(std::string_view name) const;
   [[nodiscard]] const toml::node& value(std::string_view name) const;
   [[nodiscard]] std::string path(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> texts_of(const toml::node& node, const std::string& where) const;
   [[nodiscard]] double scalar(const Key& key, const toml::node& node) const;
   [[nodiscard]] std::vector<double> list(const Key& key, const toml::array& array) const;
   [[nodiscard]] std::vector<double> short_list(const Key& key, const toml::array& array) const;

@@ -124,6 +124,9 @@ void CaseSection::check_value(const Key& key) const {
     case KeyType::texts:
       (void)texts(key.name);
       break;
+    case KeyType::text_lists:
+      (void)text_lists(key.name);
+      break;
     case KeyType::values:
       if (!listed_values(key.name)) table(key.name).check();
       break;

@@ -9,16 +9,28 @@
 
 namespace sundrape {
 
-std::vector<std::string> CaseSection::texts(std::string_view name) const {
-  const auto* list = given(name) ? given(name)->as_array() : nullptr;
-  if (given(name) && !list) fail(name, "a list of strings is expected");
+std::vector<std::string> CaseSection::texts_of(const toml::node& node, const std::string& where) const {
+  if (!node.is_array()) throw CaseError(source_line(node.source(), where, source_), "a list of strings is expected");
   std::vector<std::string> all;
-  if (list == nullptr) return all;
-  for (const auto& entry : *list) {
-    const auto where = fmt::format("{}.{}", path(name), all.size());
-    if (!entry.is_string()) throw CaseError(source_line(entry.source(), where, source_), "a string is expected");
+  for (const auto& entry : *node.as_array()) {
+    if (!entry.is_string())
+      throw CaseError(source_line(entry.source(), fmt::format("{}.{}", where, all.size()), source_),
+                      "a string is expected");
     all.push_back(entry.as_string()->get());
   }
+  return all;
+}
+
+std::vector<std::string> CaseSection::texts(std::string_view name) const {
+  return has(name) ? texts_of(*given(name), path(name)) : std::vector<std::string>();
+}
+
+std::vector<std::vector<std::string>> CaseSection::text_lists(std::string_view name) const {
+  std::vector<std::vector<std::string>> all;
+  if (!has(name)) return all;
+  if (!given(name)->is_array()) fail(name, "a list of lists of strings is expected");
+  for (const auto& entry : *given(name)->as_array())
+    all.push_back(texts_of(entry, fmt::format("{}.{}", path(name), all.size())));
   return all;
 }
 

@@ -52,6 +52,8 @@ std::string type_text(const Key& key) {
       return "table or tables";
     case KeyType::texts:
       return "list of strings";
+    case KeyType::text_lists:
+      return "list of lists of strings";
     case KeyType::values:
       return "list or range";
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <set>
+#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -13,57 +14,10 @@
 #include "case_document.hpp"
 #include "case_section.hpp"
 #include "read_text.hpp"
+#include "study_axes.hpp"
 
 namespace sundrape {
 namespace {
-
-constexpr std::size_t most_values = 100000;  // of an axis and of a whole study: more is a slip
-
-std::vector<double> range_numbers(const CaseSection& range) {
-  const double from = range.number("from"), to = range.number("to");
-  if (range.has("step") && range.has("count")) range.fail("step", "count says it already: give either, not both");
-  const bool log = range.text("spacing") == "log";
-  std::vector<double> numbers;
-  if (range.has("count")) {
-    if (log && !(from > 0 && to > 0)) range.fail("spacing", "log needs `from` and `to` above 0");
-    const int count = range.integer("count");
-    for (int i = 0; i < count; ++i) {
-      const double part = static_cast<double>(i) / (count - 1);
-      numbers.push_back(i + 1 == count ? to : log ? from * std::pow(to / from, part) : from + part * (to - from));
-    }
-    return numbers;
-  }
-  if (log) range.fail("spacing", "log needs `count`");
-  const double step = range.maybe_number("step").value_or(1);
-  if (!(to >= from)) range.fail("to", fmt::format("{:.10g} is below `from`, {:.10g}", to, from));
-  const double steps = std::floor((to - from) / step * (1 + 1e-12) + 1e-9);
-  if (!(steps < static_cast<double>(most_values)))
-    range.fail("step", fmt::format("makes {:.10g} values, more than {}", steps + 1, most_values));
-  for (int i = 0; i <= static_cast<int>(steps); ++i) numbers.push_back(from + i * step);
-  return numbers;
-}
-
-std::vector<std::string> range_values(const CaseSection& range) {
-  std::vector<std::string> values;
-  for (const double number : range_numbers(range)) {
-    // Whole numbers as such, since that is what some keys insist on.
-    const bool whole = number == std::round(number) && std::abs(number) < 1e15;
-    const auto text = whole ? fmt::format("{:.0f}", number) : fmt::format("{:.12g}", number);
-    values.push_back(range.has("unit") ? fmt::format("\"{} {}\"", text, range.text("unit")) : text);
-  }
-  return values;
-}
-
-StudyAxis resolve_axis(const CaseSection& section) {
-  StudyAxis axis{.key = section.text("key"), .values = {}, .source = section.source("values")};
-  if (axis.key.empty()) section.fail("key", "the key is empty");
-  const auto listed = section.listed_values("values");
-  axis.values = listed ? *listed : range_values(section.table("values"));
-  for (auto value = axis.values.begin(); value != axis.values.end(); ++value)
-    if (std::find(axis.values.begin(), value, *value) != value)
-      section.fail("values", fmt::format("{} stands there twice", *value));
-  return axis;
-}
 
 /// Whether a key says how an equilibrium is looked for, rather than what it is an equilibrium of.
 bool is_a_way_there(std::string_view key) {
@@ -74,29 +28,113 @@ bool is_a_way_there(std::string_view key) {
   });
 }
 
-std::vector<std::size_t> group_axes(const CaseSection& branches, const std::vector<StudyAxis>& axes) {
+bool is_a_way_there(const StudyAxis& axis) {
+  return std::ranges::all_of(axis.keys, [](const auto& key) { return is_a_way_there(std::string_view(key)); });
+}
+
+/// "'x' is <what>, did you mean 'y'?; accepted: ..."
+std::string not_among(const std::string& written, const char* what, const std::vector<std::string>& names) {
+  const auto near = nearest_name(written, names);
+  return fmt::format("'{}' is {}{}; accepted: {}", written, what,
+                     near.empty() ? "" : fmt::format(", did you mean '{}'?", near), fmt::join(names, ", "));
+}
+
+std::vector<std::string> axis_names(const Study& study) {
+  std::vector<std::string> names;
+  for (const auto& axis : study.axes) names.push_back(axis.name);
+  return names;
+}
+
+std::vector<std::size_t> group_axes(const CaseSection& branches, const Study& study) {
   std::vector<std::size_t> chosen;
   if (!branches.has("group_by")) {
-    for (std::size_t a = 0; a < axes.size(); ++a)
-      if (!is_a_way_there(axes[a].key)) chosen.push_back(a);
+    for (std::size_t a = 0; a < study.axes.size(); ++a)
+      if (!is_a_way_there(study.axes[a])) chosen.push_back(a);
     return chosen;
   }
-  std::vector<std::string> keys;
-  keys.reserve(axes.size());
-  for (const auto& axis : axes) keys.push_back(axis.key);
-  for (const auto& key : branches.texts("group_by")) {
-    const auto found = std::ranges::find(keys, key);
-    if (found == keys.end()) {
-      const auto near = nearest_name(key, keys);
-      branches.fail("group_by",
-                    fmt::format("'{}' is the key of no axis{}; accepted: {}", key,
-                                near.empty() ? "" : fmt::format(", did you mean '{}'?", near), fmt::join(keys, ", ")));
-    }
-    chosen.push_back(static_cast<std::size_t>(found - keys.begin()));
+  const auto names = axis_names(study);
+  for (const auto& name : branches.texts("group_by")) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) branches.fail("group_by", not_among(name, "the name of no axis", names));
+    chosen.push_back(static_cast<std::size_t>(found - names.begin()));
   }
   std::ranges::sort(chosen);
-  if (std::ranges::adjacent_find(chosen) != chosen.end()) branches.fail("group_by", "a key stands there twice");
+  if (std::ranges::adjacent_find(chosen) != chosen.end()) branches.fail("group_by", "an axis stands there twice");
   return chosen;
+}
+
+void read_axes(const CaseSection& top, Study& study) {
+  std::size_t runs = 1;
+  for (const auto& section : top.tables("axis")) {
+    auto axis = read_axis(section);
+    for (const auto& earlier : study.axes) {
+      if (earlier.name == axis.name)
+        section.fail(section.has("name") ? "name" : "key", fmt::format("'{}' is the name of two axes", axis.name));
+      for (const auto& key : axis.keys)
+        if (std::ranges::find(earlier.keys, key) != earlier.keys.end())
+          section.fail(section.has("key") ? "key" : "settings", fmt::format("'{}' is the key of two axes", key));
+    }
+    runs *= axis.values.size();
+    if (runs > most_study_runs)
+      throw CaseError(axis.source, fmt::format("the study has more than {} runs", most_study_runs));
+    study.axes.push_back(std::move(axis));
+  }
+  if (study.axes.empty()) top.fail("axis", "a study needs an axis: write [[axis]]");
+}
+
+StudyOutput read_output(const CaseSection& section, const Units& units) {
+  try {
+    StudyOutput output{.name = section.text("name"),
+                       .expression = Expression(section.text("value"), units),
+                       .unit = section.has("unit") ? section.text("unit") : "",
+                       .source = section.source("value")};
+    if (output.unit.empty()) return output;
+    try {
+      output.scale = units.in_si(output.unit);
+    } catch (const std::invalid_argument& problem) {
+      section.fail("unit", problem.what());
+    }
+    return output;
+  } catch (const std::invalid_argument& problem) {
+    section.fail("value", problem.what());
+  }
+}
+
+void read_outputs(const CaseSection& top, const Units& units, Study& study) {
+  std::set<std::string> taken{"run", "status", "drape"};
+  for (const auto& axis : study.axes) taken.insert(axis.name);
+  for (const auto& section : top.tables("output")) {
+    study.outputs.push_back(read_output(section, units));
+    if (const auto& name = study.outputs.back().name; !taken.insert(name).second)
+      section.fail("name", fmt::format("'{}' is the name of another column of the table", name));
+  }
+}
+
+StudyFigure read_figure(const CaseSection& section, const Study& study) {
+  const auto axes = axis_names(study);
+  std::vector<std::string> outputs;
+  for (const auto& output : study.outputs) outputs.push_back(output.name);
+  auto columns = axes;
+  columns.insert(columns.end(), outputs.begin(), outputs.end());
+  const auto among = [&](const char* key, const std::string& name, const std::vector<std::string>& names,
+                         const char* what) {
+    if (std::ranges::find(names, name) == names.end()) section.fail(key, not_among(name, what, names));
+    return name;
+  };
+  const auto maybe_axis = [&](const char* key) {
+    return section.has(key) ? among(key, section.text(key), axes, "the name of no axis") : std::string();
+  };
+  StudyFigure figure{.name = section.text("name"),
+                     .x = among("x", section.text("x"), columns, "the name of no axis and of no output"),
+                     .y = section.texts("y"),
+                     .by = maybe_axis("by"),
+                     .panels = maybe_axis("panels"),
+                     .log_x = section.boolean("log_x"),
+                     .log_y = section.boolean("log_y"),
+                     .slope = section.maybe_number("slope")};
+  if (figure.y.empty()) section.fail("y", "the list is empty");
+  for (const auto& name : figure.y) (void)among("y", name, outputs, "the name of no output");
+  return figure;
 }
 
 }  // namespace
@@ -119,15 +157,24 @@ std::vector<std::size_t> Study::combination(std::size_t run) const {
 std::vector<std::size_t> Study::group_of(std::size_t run) const {
   const auto chosen = combination(run);
   std::vector<std::size_t> values;
-  values.reserve(group_axes.size());
-  for (const auto axis : group_axes) values.push_back(chosen[axis]);
+  if (branches)
+    for (const auto axis : branches->group_axes) values.push_back(chosen[axis]);
   return values;
 }
 
 std::vector<std::string> Study::settings(std::size_t run) const {
   auto all = sets;
   const auto chosen = combination(run);
-  for (std::size_t a = 0; a < axes.size(); ++a) all.push_back(axes[a].key + "=" + axes[a].values[chosen[a]]);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const auto& settings = axes[a].values[chosen[a]].settings;
+    all.insert(all.end(), settings.begin(), settings.end());
+  }
+  return all;
+}
+
+std::vector<std::string> Study::reference_settings() const {
+  auto all = sets;
+  all.insert(all.end(), reference->begin(), reference->end());
   return all;
 }
 
@@ -139,24 +186,21 @@ Study parse_study(std::string_view text, const std::filesystem::path& file) {
 
   Study study;
   study.file = file;
+  study.text = text;
   study.title = top.has("title") ? top.text("title") : file.stem().string();
   study.case_file = file.parent_path() / top.text("case");
   if (!std::filesystem::is_regular_file(study.case_file))
     top.fail("case", fmt::format("'{}' is not there (sought beside the study file)", top.text("case")));
   study.sets = top.texts("set");
-  std::size_t runs = 1;
-  for (const auto& section : top.tables("axis")) {
-    auto axis = resolve_axis(section);
-    for (const auto& earlier : study.axes)
-      if (earlier.key == axis.key) section.fail("key", fmt::format("'{}' is the key of two axes", axis.key));
-    runs *= axis.values.size();
-    if (runs > most_values) section.fail("values", fmt::format("the study has more than {} runs", most_values));
-    study.axes.push_back(std::move(axis));
+  study.resume = top.boolean("resume");
+  read_axes(top, study);
+  read_outputs(top, context.units(), study);
+  for (const auto& section : top.tables("figure")) study.figures.push_back(read_figure(section, study));
+  if (top.has("reference")) study.reference = top.table("reference").texts("set");
+  if (top.has("branches") || study.outputs.empty()) {
+    const CaseSection branches = top.table("branches");
+    study.branches = {.same_shape = branches.number("same_shape"), .group_axes = group_axes(branches, study)};
   }
-  if (study.axes.empty()) top.fail("axis", "a study needs an axis: write [[axis]]");
-  const CaseSection branches = top.table("branches");
-  study.same_shape = branches.number("same_shape");
-  study.group_axes = group_axes(branches, study.axes);
   return study;
 }
 

@@ -132,6 +132,22 @@ std::string Units::dimension(std::string_view si_unit) const {
   return dimension_of(system_.get(), parse_unit(system_.get(), si_unit).get(), trim(si_unit));
 }
 
+double Units::in_si(std::string_view written) const {
+  const Unit unit = parse_unit(system_.get(), written);
+  if (!unit || trim(written).empty()) throw std::invalid_argument(fmt::format("unknown unit '{}'", written));
+  // UDUNITS does not say what a unit's base is, so products of powers of base units are tried.
+  constexpr int most = 4;
+  for (int m = -most; m <= most; ++m)
+    for (int kg = -most; kg <= most; ++kg)
+      for (int s = -most; s <= most; ++s) {
+        const Unit base = parse_unit(system_.get(), fmt::format("m^{} kg^{} s^{}", m, kg, s));
+        if (!same_dimension(unit.get(), base.get())) continue;
+        const Converter converter(ut_get_converter(unit.get(), base.get()));
+        return cv_convert_double(converter.get(), 1);
+      }
+  throw std::invalid_argument(fmt::format("'{}' is no mechanical unit", written));
+}
+
 double Units::parse_quantity(std::string_view text, std::string_view si_unit) const {
   std::string_view rest = trim(text);
   if (rest.starts_with('+')) rest.remove_prefix(1);

@@ -83,6 +83,20 @@ void set_measured_bending(Fabric& fabric, const Fabric::MeasuredBending& strips)
   fabric.twist_bending = rigidity(2, 2);
 }
 
+Fabric scaled(Fabric fabric, double membrane, double bending) {
+  if (!(membrane > 0 && bending > 0)) throw std::invalid_argument("factors on stiffnesses must be positive");
+  for (double* stiffness : {&fabric.warp_membrane, &fabric.weft_membrane, &fabric.shear_membrane})
+    *stiffness *= membrane;
+  for (double* stiffness :
+       {&fabric.warp_bending, &fabric.weft_bending, &fabric.bending_coupling, &fabric.twist_bending})
+    *stiffness *= bending;
+  if (auto& strips = fabric.measured_bending) {
+    strips->warp = strips->warp.scaled(bending);
+    strips->weft = strips->weft.scaled(bending);
+  }
+  return fabric;
+}
+
 PlateBending plate_bending(const Fabric& fabric) {
   if (const auto& m = fabric.measured_bending) return {m->form, m->warp, m->weft, fabric.poisson};
   Eigen::Matrix3d rigidity =

@@ -33,4 +33,10 @@ MomentCurvature MomentCurvature::polynomial(std::span<const double> coefficients
   return law;
 }
 
+MomentCurvature MomentCurvature::scaled(double factor) const {
+  auto law = *this;
+  for (double& coefficient : law.alpha_) coefficient *= factor;
+  return law;
+}
+
 }  // namespace sundrape

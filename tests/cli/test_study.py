@@ -147,7 +147,7 @@ class Runs(Study):
     def test_after_a_kill_it_goes_on_where_it_was(self):
         slow = STRIP.replace("[12, 2]", "[60, 10]").replace('analysis = "relaxation"', 'analysis = "dynamics"')
         self.write("strip.toml", slow + "[dynamics]\nduration = 0.3\n")
-        study = STUDY.replace("to = 3", "to = 1")
+        study = "resume = true\n" + STUDY.replace("to = 3", "to = 1")
         started = self.start("study", self.write("study.toml", study), "-o", "out")
         runs = self.folder / "out/runs"
         self.wait_for(lambda: self.with_a_checkpoint(runs))
@@ -159,6 +159,25 @@ class Runs(Study):
         with h5py.File(runs / "seed=1.h5") as result:
             self.assertEqual(result["frames/time"][-1], 0.3)
             self.assertEqual(len(result["frames/time"]), 61)  # output.frames = 60 and the start: no frame twice
+
+    def test_a_table_does_not_tell_that_a_run_was_stopped_on_the_way(self):
+        slow = STRIP.replace("[12, 2]", "[60, 10]").replace('analysis = "relaxation"', 'analysis = "dynamics"')
+        self.write("strip.toml", slow + "[dynamics]\nduration = 0.3\n")
+        study = STUDY.replace("to = 3", "to = 2") + '[[output]]\nname = "tip"\nvalue = "last(probe.tip.z)"\n' \
+            '[[output]]\nname = "steps"\nvalue = "steps"\n'
+        started = self.start("study", self.write("study.toml", study), "-o", "out", "--jobs", 2)
+        runs = self.folder / "out/runs"
+        self.wait_for(lambda: self.with_a_checkpoint(runs))
+        started.kill()
+        started.communicate()
+        self.wait_for(lambda: all(self.status(runs / f"seed={k}.h5") != "running" for k in (1, 2)))
+        self.assertFalse((self.folder / "out/study.csv").exists())
+        tables = []
+        for _ in range(2):  # after the kill, and undisturbed in a folder that is not there yet
+            self.assertEqual(self.study(study).returncode, 0)
+            tables.append([(self.folder / "out" / name).read_bytes() for name in ("study.csv", "study.h5")])
+            (self.folder / "out").rename(self.folder / f"out{len(tables)}")
+        self.assertEqual(*tables)
 
     def wait_for(self, happened, seconds=60):
         until = time.monotonic() + seconds

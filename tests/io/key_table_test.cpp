@@ -1,8 +1,5 @@
 #include "sundrape/io/key_table.hpp"
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,38 +8,19 @@
 #include "sundrape/io/nearest_name.hpp"
 #include "sundrape/io/units.hpp"
 
+#include "docs_section.hpp"
+
 namespace sundrape {
 namespace {
 
-const std::string docs = std::string(SUNDRAPE_SOURCE_DIR) + "/docs/";
-const std::string begin_mark = "<!-- key table: begin; written by the tests, see below -->\n";
-const std::string end_mark = "<!-- key table: end -->\n";
-
-std::string read(const std::string& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 void expect_reference(const std::string& guide, const std::vector<Section>& table) {
-  std::string text = read(docs + guide);
-  const auto begin = text.find(begin_mark);
-  const auto end = text.find(end_mark);
-  ASSERT_NE(begin, std::string::npos) << guide;
-  ASSERT_NE(end, std::string::npos) << guide;
-  const auto from = begin + begin_mark.size();
-  const auto reference = fmt::format("\n{}", key_table_markdown(table));
-  if (std::getenv("SUNDRAPE_UPDATE_DOCS") != nullptr) {
-    text.replace(from, end - from, reference);
-    std::ofstream(docs + guide) << text;
-    return;
-  }
-  EXPECT_EQ(text.substr(from, end - from), reference)
-      << "run the tests once with SUNDRAPE_UPDATE_DOCS=1 to bring docs/" << guide << " up to date";
+  expect_docs_section(guide, "<!-- key table: begin; written by the tests, see below -->\n",
+                      "<!-- key table: end -->\n", fmt::format("\n{}", key_table_markdown(table)));
 }
 
 TEST(KeyTable, IsTheReferenceInTheDocs) {
   expect_reference("case-file.md", key_table());
-  expect_reference("branches.md", study_key_table());
+  expect_reference("studies.md", study_key_table());
 }
 
 TEST(KeyTable, SaysSomethingOfEveryKeyAndNamesItOnceAKind) {

@@ -95,6 +95,22 @@ TEST(MeasuredBending, RefusesWhatNoSheetHas) {
   EXPECT_THROW((void)orthotropic_fabric(1e6, 1e6, 0, 0.3, 1e-3, 0.2), std::invalid_argument);
 }
 
+TEST(ScaledFabric, HasMultipliedResultantsWhateverItsLaws) {
+  Fabric fabric = orthotropic_fabric(2e6, 1e6, 4e5, 0.2, 1e-3, 0.2);
+  const Fabric linear = scaled(fabric, 0.01, 10);
+  EXPECT_TRUE(membrane_stiffness(linear).isApprox(0.01 * membrane_stiffness(fabric), 1e-14));
+  EXPECT_TRUE(plate_bending(linear).rigidity().isApprox(10 * plate_bending(fabric).rigidity(), 1e-14));
+  EXPECT_EQ(linear.transverse_shear, fabric.transverse_shear);
+  EXPECT_EQ(linear.area_density, fabric.area_density);
+  const auto law = MomentCurvature::polynomial(std::vector{2e-5, 1e-7}, 100);
+  set_measured_bending(fabric, {.warp = law, .weft = law});
+  const Eigen::Vector3d curvature(30, -150, 20);  // within the fit, past it, and a twist
+  EXPECT_TRUE(plate_bending(scaled(fabric, 1, 10))
+                  .at(curvature)
+                  .moment.isApprox(10 * plate_bending(fabric).at(curvature).moment, 1e-13));
+  EXPECT_THROW((void)scaled(fabric, 0, 1), std::invalid_argument);
+}
+
 TEST(IsotropicFabric, RefusesWhatNoSheetHas) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {

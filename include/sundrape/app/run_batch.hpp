@@ -17,6 +17,7 @@ struct BatchOptions {
   std::filesystem::path case_file;
   std::filesystem::path folder;  // where results go; made if it is not there
   int jobs = 0;                  // processes at a time; 0: one a processor
+  bool resume = true;            // go on from checkpoints; otherwise such runs begin anew
   Verbosity verbosity = Verbosity::normal;
 };
 
@@ -32,7 +33,8 @@ struct BatchOutcome {
 /// Runs a case many times, each in a process of its own: one that fails or crashes takes no other with it.
 ///
 /// A result that is done, and of the same case with the same settings, is used as it is; one that was interrupted or
-/// killed goes on from its checkpoint. Ctrl-C has every run write its checkpoint and stop. Progress goes to stdout.
+/// killed goes on from its checkpoint, where it may. Ctrl-C has every run write its checkpoint and stop. Progress goes
+/// to stdout.
 /// @return one a run, in their order
 /// @throws CaseError          settings that the case does not take; before anything runs
 /// @throws FileError, std::system_error  the folder cannot be written

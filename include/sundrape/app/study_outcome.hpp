@@ -7,6 +7,7 @@
 #include "sundrape/app/drapes.hpp"
 #include "sundrape/app/end_state.hpp"
 #include "sundrape/app/run_batch.hpp"
+#include "sundrape/app/study_table.hpp"
 #include "sundrape/io/study.hpp"
 
 namespace sundrape {
@@ -23,19 +24,21 @@ struct StudyGroup {
 
 /// Everything that a study has found.
 struct StudyOutcome {
-  std::vector<std::string> names;             // of runs
-  std::vector<BatchOutcome> runs;             // one a combination
-  std::vector<std::optional<EndState>> ends;  // of those that are done
-  std::vector<StudyGroup> groups;
+  std::vector<std::string> names;         // of runs
+  std::vector<BatchOutcome> runs;         // one a combination
+  std::optional<BatchOutcome> reference;  // of studies that have one
+  StudyTable table;
+  std::vector<std::optional<EndState>> ends;  // of runs that are done, in studies that sort drapes
+  std::vector<StudyGroup> groups;             // likewise
 };
 
 /// A short name for each run, of its axes' values: "seed=3" or "rigidity=1e-6,seed=3"; "run-0007" where that would be
 /// too long or not its own.
 [[nodiscard]] std::vector<std::string> run_names(const Study& study);
 
-/// Reads the results of finished runs, and sorts each group's end states into drapes.
+/// Reads the results of finished runs into the table, and sorts each group's end states into drapes.
 /// @throws FileError  a result cannot be read
 [[nodiscard]] StudyOutcome study_outcome(const Study& study, std::vector<std::string> names,
-                                         std::vector<BatchOutcome> runs);
+                                         std::vector<BatchOutcome> runs, std::optional<BatchOutcome> reference);
 
 }  // namespace sundrape

@@ -8,25 +8,26 @@ namespace sundrape {
 
 /// What may stand behind a key of a case file.
 enum class KeyType {
-  text,       // any string
-  name,       // a string that can name a group of a result file: not empty, no '/', not "." or ".."
-  file,       // a path, relative to the case file
-  choice,     // one of the key's `choices`
-  choices,    // a list of them, none twice
-  number,     // a number or a quantity of the key's `unit`
-  series,     // a number, or a list of one to `entries` of them, of the key's `unit`
-  lists,      // one to `entries` plain numbers, or two such lists, of warp and weft
-  integer,    // a whole number
-  boolean,    // true or false
-  corners,    // two points, [[x, y, z], [x, y, z]], of the key's `unit`
-  direction,  // three plain numbers, not all zero
-  unit,       // a unit of the dimension of `unit`
-  selector,   // a way to pick nodes: a set's name or a table as in the section `selector`
-  table,      // a table with the keys of the section `holds`
-  tables,     // an array of such tables
-  pieces,     // one such table, or an array of them
-  texts,      // a list of strings
-  values,     // a list of anything, or a table with the keys of the section `holds`
+  text,        // any string
+  name,        // a string that can name a group of a result file: not empty, no '/', not "." or ".."
+  file,        // a path, relative to the case file
+  choice,      // one of the key's `choices`
+  choices,     // a list of them, none twice
+  number,      // a number or a quantity of the key's `unit`
+  series,      // a number, or a list of one to `entries` of them, of the key's `unit`
+  lists,       // one to `entries` plain numbers, or two such lists, of warp and weft
+  integer,     // a whole number
+  boolean,     // true or false
+  corners,     // two points, [[x, y, z], [x, y, z]], of the key's `unit`
+  direction,   // three plain numbers, not all zero
+  unit,        // a unit of the dimension of `unit`
+  selector,    // a way to pick nodes: a set's name or a table as in the section `selector`
+  table,       // a table with the keys of the section `holds`
+  tables,      // an array of such tables
+  pieces,      // one such table, or an array of them
+  texts,       // a list of strings
+  text_lists,  // a list of such lists
+  values,      // a list of anything, or a table with the keys of the section `holds`
 };
 
 /// Accepted numbers, prints as "[0, 0.5)".

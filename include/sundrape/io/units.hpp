@@ -22,6 +22,10 @@ class Units {
   ///                                the message quotes the text and says what is expected
   [[nodiscard]] double parse_quantity(std::string_view text, std::string_view si_unit) const;
 
+  /// What one of a unit is in SI: 0.01 for "cm".
+  /// @throws std::invalid_argument  an unknown unit
+  [[nodiscard]] double in_si(std::string_view unit) const;
+
   /// What a quantity in this unit is, with its article: "a length" for "m", "a force per area" for "N/m^2".
   [[nodiscard]] std::string dimension(std::string_view si_unit) const;
 

@@ -61,6 +61,11 @@ void set_measured_bending(Fabric& fabric, double warp, double weft, std::optiona
 /// @throws std::invalid_argument  as PlateBending does
 void set_measured_bending(Fabric& fabric, const Fabric::MeasuredBending& strips);
 
+/// The fabric with its membrane stiffnesses E₁ h, E₂ h, G h and its bending stiffnesses multiplied, whatever its laws
+/// are. Transverse shear, weight and relaxation times stay.
+/// @throws std::invalid_argument  unless both factors are positive
+[[nodiscard]] Fabric scaled(Fabric fabric, double membrane, double bending);
+
 /// The bending of a fabric's sheet.
 [[nodiscard]] PlateBending plate_bending(const Fabric& fabric);
 

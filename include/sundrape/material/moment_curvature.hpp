@@ -25,6 +25,9 @@ class MomentCurvature {
   /// @throws std::invalid_argument  out of range, or a law whose moment does not grow all the way to K_max
   [[nodiscard]] static MomentCurvature polynomial(std::span<const double> coefficients, double max_curvature);
 
+  /// The law with every moment multiplied. @param factor  > 0
+  [[nodiscard]] MomentCurvature scaled(double factor) const;
+
   /// The slope at the origin [N m].
   [[nodiscard]] double initial_rigidity() const { return alpha_[0]; }
   [[nodiscard]] bool is_linear() const { return linear_; }

@@ -3,4 +3,5 @@
 Their modules import what draws only when they run, so that a bad command line is answered at once.
 """
 
-NAMES = ("picture", "filmstrip", "film", "plot", "report", "overlay", "strip", "drape", "drapes", "crosscheck", "view")
+NAMES = ("picture", "filmstrip", "film", "plot", "report", "overlay", "strip", "drape", "drapes",
+    "study", "crosscheck", "view")
