@@ -39,6 +39,8 @@ def read(folder: Path) -> tuple[str, list[Drape]]:
     """
     study = read_report(folder, "study.json", "sundrape study")
     drapes = []
+    if "group_by" not in study:
+        raise PostprocError(f"{folder}: the study sorts no drapes: add [branches] to it", BAD_USE)
     for group in study["groups"]:
         values = ", ".join(f"{key.rsplit('.', 1)[-1]} = {value}" for key, value in zip(study["group_by"], group["values"]))
         runs = sum(drape["count"] for drape in group["drapes"])

@@ -18,6 +18,8 @@
 #include "sundrape/io/result_reader.hpp"
 #include "sundrape/version.hpp"
 
+#include "last_line.hpp"
+
 namespace sundrape {
 namespace {
 
@@ -45,15 +47,6 @@ Earlier earlier_result(const fs::path& file, const Case& c, bool may_resume) {
   } catch (const FileError&) {  // broken: run again
     return Earlier::nothing;
   }
-}
-
-/// The last line of a log that says something: what a failed run ended with.
-std::string last_line(const fs::path& log) {
-  std::ifstream stream(log);
-  std::string line, last;
-  while (std::getline(stream, line))
-    if (!line.empty()) last = line;
-  return last;
 }
 
 class Batch {

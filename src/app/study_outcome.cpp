@@ -102,14 +102,14 @@ std::vector<std::string> run_names(const Study& study) {
 }
 
 StudyOutcome study_outcome(const Study& study, std::vector<std::string> names, std::vector<BatchOutcome> runs,
-                           std::optional<BatchOutcome> reference) {
+                           std::optional<BatchOutcome> reference, int jobs) {
   StudyOutcome outcome{.names = std::move(names),
                        .runs = std::move(runs),
                        .reference = std::move(reference),
                        .table = {},
                        .ends = {},
                        .groups = {}};
-  outcome.table = study_table(study, outcome.runs, outcome.reference);
+  outcome.table = study_table(study, outcome.runs, outcome.reference, jobs);
   outcome.ends.resize(outcome.runs.size());
   if (study.branches) sort_drapes(study, outcome);
   return outcome;

@@ -106,7 +106,7 @@ ExitStatus run_study(const StudyOptions& options) {
     reference = std::move(outcomes.back());
     outcomes.pop_back();
   }
-  const auto outcome = study_outcome(study, std::move(names), std::move(outcomes), std::move(reference));
+  const auto outcome = study_outcome(study, std::move(names), std::move(outcomes), std::move(reference), options.jobs);
   write_text(folder / "study.json", study_json(study, outcome, folder).dump(2) + "\n");
   write_text(folder / "study.csv", runs_csv(study, outcome));
   write_study_file(folder / "study.h5", study, outcome);

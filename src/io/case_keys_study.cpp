@@ -28,6 +28,10 @@ Section top() {
                .type = KeyType::tables,
                .holds = "output",
                .doc = "What is read off every run: the columns of the table."},
+              {.name = "program",
+               .type = KeyType::tables,
+               .holds = "program",
+               .doc = "Other programs that find numbers in the results."},
               {.name = "reference",
                .type = KeyType::table,
                .holds = "reference",
@@ -132,6 +136,28 @@ Section output() {
   };
 }
 
+Section program() {
+  return {
+      .name = "program",
+      .heading = "`[[program]]`",
+      .doc =
+          "A program that is called on the result of every run and writes a report in JSON, whose numbers outputs may "
+          "use.",
+      .keys =
+          {
+              {.name = "command",
+               .type = KeyType::texts,
+               .required = true,
+               .doc = "Its words; `{result}` stands for the result's file, `{json}` for that of the report."},
+              {.name = "numbers",
+               .type = KeyType::texts,
+               .required = true,
+               .doc =
+                   "`\"name=/place/in/the/report\"` each: a JSON pointer (RFC 6901), such as `/drapes/0/coefficient`."},
+          },
+  };
+}
+
 Section reference() {
   return {
       .name = "reference",
@@ -196,6 +222,8 @@ Section branches() {
 
 }  // namespace
 
-std::vector<Section> study_keys() { return {top(), axis(), range(), output(), reference(), figure(), branches()}; }
+std::vector<Section> study_keys() {
+  return {top(), axis(), range(), output(), program(), reference(), figure(), branches()};
+}
 
 }  // namespace sundrape

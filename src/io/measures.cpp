@@ -180,9 +180,4 @@ MeasureSeries Measures::series(const std::string& name) const {
   return {.variable = result_.frame_values(), .value = frame_values(result_, name)};
 }
 
-double Measures::evaluate(const Expression& expression) const {
-  return expression.evaluate([&](const Reduction& r) { return reduce(series(r.series), r); },
-                             [&](const std::string& name) { return number(name); });
-}
-
 }  // namespace sundrape

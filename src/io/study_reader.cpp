@@ -110,6 +110,25 @@ void read_outputs(const CaseSection& top, const Units& units, Study& study) {
   }
 }
 
+/// "name=/place/in/the/report"
+std::pair<std::string, std::string> read_program_number(const CaseSection& section, const std::string& text) {
+  const auto equals = text.find('=');
+  const auto name = text.substr(0, equals);
+  const bool is_word = !name.empty() && name.find_first_of(".- +*/^()") == std::string::npos;
+  if (equals == std::string::npos || !is_word || text.size() < equals + 2 || text[equals + 1] != '/')
+    section.fail("numbers", fmt::format("'{}' is no number of a report: write \"name=/place/in/it\"", text));
+  return {name, text.substr(equals + 1)};
+}
+
+StudyProgram read_program(const CaseSection& section) {
+  StudyProgram program{.command = section.texts("command"), .numbers = {}};
+  if (program.command.empty()) section.fail("command", "the list is empty");
+  if (std::ranges::none_of(program.command, [](const auto& word) { return word.find("{json}") != std::string::npos; }))
+    section.fail("command", "no word has {json}, the name of the report that the program is to write");
+  for (const auto& text : section.texts("numbers")) program.numbers.push_back(read_program_number(section, text));
+  return program;
+}
+
 StudyFigure read_figure(const CaseSection& section, const Study& study) {
   const auto axes = axis_names(study);
   std::vector<std::string> outputs;
@@ -178,6 +197,12 @@ std::vector<std::string> Study::reference_settings() const {
   return all;
 }
 
+bool Study::is_programs_number(const std::string& name) const {
+  return std::ranges::any_of(programs, [&](const auto& program) {
+    return std::ranges::any_of(program.numbers, [&](const auto& number) { return number.first == name; });
+  });
+}
+
 Study parse_study(std::string_view text, const std::filesystem::path& file) {
   const toml::table root = parse_toml(text, file.string());
   const ReadingContext context(study_key_table());
@@ -194,6 +219,7 @@ Study parse_study(std::string_view text, const std::filesystem::path& file) {
   study.sets = top.texts("set");
   study.resume = top.boolean("resume");
   read_axes(top, study);
+  for (const auto& section : top.tables("program")) study.programs.push_back(read_program(section));
   read_outputs(top, context.units(), study);
   for (const auto& section : top.tables("figure")) study.figures.push_back(read_figure(section, study));
   if (top.has("reference")) study.reference = top.table("reference").texts("set");

@@ -172,6 +172,43 @@ class Outputs(StudyTable):
         self.assertRegex(done.stdout, "no number: pivots: .*holds no 'negative_pivots'")
 
 
+class Programs(StudyTable):
+    PROGRAM = """import json, sys, h5py
+with h5py.File(sys.argv[1]) as result:
+    z = result["frames/position"][-1][:, 2]
+    if len(sys.argv) > 3 and result["steps/order"][:].max() == 1:
+        sys.exit("what is this?")
+json.dump({"heights": [{"low": z.min(), "word": "no number"}]}, open(sys.argv[2], "w"))
+"""
+
+    def program(self, *more, numbers='["low=/heights/0/low"]'):
+        self.write("lowest.py", self.PROGRAM)
+        words = json.dumps(["/usr/bin/python3", str(self.folder / "lowest.py"), "{result}", "{json}", *more])
+        return f"[[program]]\ncommand = {words}\nnumbers = {numbers}\n"
+
+    def test_their_numbers_stand_in_outputs(self):
+        done = self.study(AXES + self.program() + output("low", "low", "cm") + output("none", "low - last(shape.bottom)"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for row in self.rows():
+            with h5py.File(self.folder / f"out/runs/{row['run']}.h5") as result:
+                low = result["frames/position"][-1][:, 2].min()
+            self.assertAlmostEqual(float(row["low [cm]"]), 100 * low, delta=1e-12)
+            self.assertEqual(float(row["none"]), 0)
+
+    def test_one_that_fails_or_does_not_say_leaves_no_number(self):
+        done = self.study(AXES + self.program("--of-order-2") + output("low", "low"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("no number: /usr/bin/python3 failed: what is this?", done.stdout)
+        self.assertEqual([row["low"] == "" for row in self.rows()], [False, True, False, True])
+        done = self.study(AXES + self.program(numbers='["word=/heights/0/word"]') + output("word", "word"))
+        self.assertRegex(done.stdout, "no number: word: no number at /heights/0/word of ")
+
+    def test_one_without_a_report(self):
+        done = self.study(AXES + '[[program]]\ncommand = ["true"]\nnumbers = ["a=/b"]\n')
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"^study.toml:11: program.0.command: no word has \{json\}")
+
+
 class Refusals(StudyTable):
     def refused(self, text, pattern):
         done = self.study(AXES + text)

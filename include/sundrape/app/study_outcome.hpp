@@ -37,8 +37,10 @@ struct StudyOutcome {
 [[nodiscard]] std::vector<std::string> run_names(const Study& study);
 
 /// Reads the results of finished runs into the table, and sorts each group's end states into drapes.
+/// @param jobs  programs at a time; 0: one a processor
 /// @throws FileError  a result cannot be read
 [[nodiscard]] StudyOutcome study_outcome(const Study& study, std::vector<std::string> names,
-                                         std::vector<BatchOutcome> runs, std::optional<BatchOutcome> reference);
+                                         std::vector<BatchOutcome> runs, std::optional<BatchOutcome> reference,
+                                         int jobs);
 
 }  // namespace sundrape

@@ -28,8 +28,9 @@ void complete_units(Study& study, const Case& c);
 
 /// @param runs       one a combination of the axes' values
 /// @param reference  if the study has one
+/// @param jobs       programs at a time; 0: one a processor
 /// @throws FileError  a result cannot be read
 [[nodiscard]] StudyTable study_table(const Study& study, const std::vector<BatchOutcome>& runs,
-                                     const std::optional<BatchOutcome>& reference);
+                                     const std::optional<BatchOutcome>& reference, int jobs);
 
 }  // namespace sundrape

@@ -52,7 +52,6 @@ class Measures {
   /// @throws std::invalid_argument  the result has no such number or series; FileError  it cannot be read
   [[nodiscard]] double number(const std::string& name) const;
   [[nodiscard]] MeasureSeries series(const std::string& name) const;
-  [[nodiscard]] double evaluate(const Expression& expression) const;
 
  private:
   const ResultReader& result_;

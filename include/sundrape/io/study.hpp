@@ -34,6 +34,12 @@ struct StudyOutput {
   SourceLine source;  // of the expression
 };
 
+/// Another program that finds numbers in a result.
+struct StudyProgram {
+  std::vector<std::string> command;                          // words, "{result}" and "{json}" to be filled in
+  std::vector<std::pair<std::string, std::string>> numbers;  // name in outputs, and place in the program's JSON report
+};
+
 /// A figure that postproc draws from a study's table.
 struct StudyFigure {
   std::string name;            // of its file
@@ -58,6 +64,7 @@ struct Study {
   std::filesystem::path case_file;
   std::vector<std::string> sets;  // of all runs
   std::vector<StudyAxis> axes;
+  std::vector<StudyProgram> programs;
   std::vector<StudyOutput> outputs;
   std::vector<StudyFigure> figures;
   std::optional<std::vector<std::string>> reference;  // settings of one more run, that others are held against
@@ -75,6 +82,8 @@ struct Study {
   [[nodiscard]] std::vector<std::string> settings(std::size_t run) const;
   /// Settings of the reference: those of all runs, then its own.
   [[nodiscard]] std::vector<std::string> reference_settings() const;
+  /// Whether a number of outputs is found by a program.
+  [[nodiscard]] bool is_programs_number(const std::string& name) const;
   /// What a run has of an axis.
   [[nodiscard]] const StudyValue& value(std::size_t run, std::size_t axis) const {
     return axes[axis].values[combination(run)[axis]];
