@@ -88,6 +88,7 @@ void write_study_file(const fs::path& path, const Study& study, const StudyOutco
     const auto& output = study.outputs[k];
     if (is_timing(output)) continue;
     std::vector<double> column;
+    column.reserve(outcome.table.values.size());
     for (const auto& row : outcome.table.values) column.push_back(row[k]);
     write_numbers(file, "/outputs/" + output.name, Element::real64, {column.size()}, column, output.unit,
                   output.expression.text());

@@ -82,7 +82,7 @@ void read_values(const CaseSection& section, StudyAxis& axis) {
   axis.keys = {key};
   const auto listed = section.listed_values("values");
   for (const auto& text : listed ? *listed : range_values(section.table("values")))
-    axis.values.push_back({.settings = {key + "=" + text}, .label = label_of(text), .number = {}});
+    axis.values.push_back({.settings = {fmt::format("{}={}", key, text)}, .label = label_of(text), .number = {}});
 }
 
 void read_settings(const CaseSection& section, StudyAxis& axis) {

@@ -41,6 +41,7 @@ std::string not_among(const std::string& written, const char* what, const std::v
 
 std::vector<std::string> axis_names(const Study& study) {
   std::vector<std::string> names;
+  names.reserve(study.axes.size());
   for (const auto& axis : study.axes) names.push_back(axis.name);
   return names;
 }
@@ -132,6 +133,7 @@ StudyProgram read_program(const CaseSection& section) {
 StudyFigure read_figure(const CaseSection& section, const Study& study) {
   const auto axes = axis_names(study);
   std::vector<std::string> outputs;
+  outputs.reserve(study.outputs.size());
   for (const auto& output : study.outputs) outputs.push_back(output.name);
   auto columns = axes;
   columns.insert(columns.end(), outputs.begin(), outputs.end());

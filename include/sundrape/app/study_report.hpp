@@ -21,7 +21,7 @@ namespace sundrape {
 [[nodiscard]] std::string timings_csv(const Study& study, const StudyOutcome& outcome);
 /// Axes, runs and outputs but for timings as HDF5 (docs/studies.md): bit-identical whenever the results are.
 /// @throws FileError
-void write_study_file(const std::filesystem::path& file, const Study& study, const StudyOutcome& outcome);
+void write_study_file(const std::filesystem::path& path, const Study& study, const StudyOutcome& outcome);
 /// All of it. @param folder  that file names count from
 [[nodiscard]] nlohmann::json study_json(const Study& study, const StudyOutcome& outcome,
                                         const std::filesystem::path& folder);
