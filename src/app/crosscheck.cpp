@@ -66,10 +66,11 @@ class Work {
       : options_(options), case_(read_case(options.case_file, options.sets)), model_(perfect_model(case_)) {
     refuse_pieces(case_);
     refuse_grips(case_);
-    batch_ = {.case_file = options.case_file,
-              .folder = options.folder.value_or(options.case_file.stem().string() + "-crosscheck"),
-              .jobs = options.jobs,
-              .verbosity = options.verbosity};
+    batch_ = {
+        .case_file = options.case_file,
+        .folder = options.folder.value_or(options.case_file.stem().string() + "-crosscheck"),
+        .executor = {.kind = ExecutorKind::local, .jobs = options.jobs, .slurm_options = {}, .dask_scheduler = {}},
+        .verbosity = options.verbosity};
     check_.title = case_.title;
     check_.diagonal = diagonal(model_.mesh);
     check_.size = model_.size;

@@ -64,6 +64,8 @@ class CommandLine {
     verb->add_option("--threads", run_.threads, "threads for assembly; more than one pays from some 10,000 nodes on")
         ->check(CLI::Range(1, 1024));
     verb->add_option("--summary", run_.summary, "write totals, final energies, extremes and times to this JSON file");
+    verb->add_option("--wait", run_.wait, "how long to wait for another process that is writing this result [s]")
+        ->check(CLI::NonNegativeNumber);
     verb->add_flag("--force", run_.overwrite, "overwrite an existing result");
     auto* quiet = verb->add_flag("--quiet", quiet_, "print nothing but errors");
     verb->add_flag("-v,--verbose", verbose_, "print progress more often")->excludes(quiet);
@@ -142,11 +144,30 @@ class CommandLine {
     verb->add_option("STUDY", study_.study_file, "study file (TOML)")->required();
     verb->add_option("-o,--output", study_.folder,
                      "folder of the results; finished ones in it are used again; default: the study's name");
-    verb->add_option("--jobs", study_.jobs, "runs at a time; default: one a processor")->check(CLI::Range(1, 1024));
+    verb->add_option("--jobs", study_.executor.jobs, "runs at a time; default: one a processor")
+        ->check(CLI::Range(1, 1024));
+    const std::map<std::string, sundrape::ExecutorKind> kinds{{"local", sundrape::ExecutorKind::local},
+                                                              {"slurm", sundrape::ExecutorKind::slurm},
+                                                              {"dask", sundrape::ExecutorKind::dask}};
+    verb->add_option("--executor", study_.executor.kind,
+                     "where runs are carried out: local (default), slurm (job arrays) or dask (distributed)")
+        ->transform(CLI::CheckedTransformer(kinds))
+        ->option_text("local|slurm|dask");
+    verb->add_option("--slurm-options", study_.executor.slurm_options,
+                     "of sbatch, in one word: \"--partition=x --time=1:00:00\"");
+    verb->add_option("--dask-scheduler", study_.executor.dask_scheduler,
+                     "address of a Dask scheduler; default: $DASK_SCHEDULER_ADDRESS, or workers on this machine");
+    verb->add_option("--retries", study_.retries, "times that a run is tried again whose process or machine was lost")
+        ->check(CLI::Range(0, 100));
     verb->add_flag("--quiet", quiet_, "print nothing but errors");
     verb->callback([this] {
       if (quiet_) study_.verbosity = sundrape::Verbosity::quiet;
-      status_ = sundrape::run_study(study_);
+      try {
+        status_ = sundrape::run_study(study_);
+      } catch (const std::invalid_argument& problem) {
+        fmt::print(stderr, "sundrape study: {}\n", problem.what());
+        status_ = ExitStatus::bad_input;
+      }
     });
   }
 

@@ -14,6 +14,7 @@
 #include "sundrape/io/case_error.hpp"
 #include "sundrape/io/case_reader.hpp"
 #include "sundrape/io/file_error.hpp"
+#include "sundrape/io/file_lock.hpp"
 
 #include "write_text.hpp"
 
@@ -43,7 +44,6 @@ void require_room(const RunOptions& options, const std::filesystem::path& output
   if (std::filesystem::exists(output) && !options.overwrite && !goes_on)
     throw FileError(
         fmt::format("{}: exists already; choose another -o, or overwrite it with --force", output.string()));
-  require_folder(output);
   if (options.summary) require_folder(*options.summary);
 }
 
@@ -144,6 +144,8 @@ ExitStatus run_case(const RunOptions& options) {
   omp_set_num_threads(options.threads);
   const Case c = read_case(options.case_file, options.sets);
   const auto output = output_path(options);
+  require_folder(output);
+  const FileLock lock(output, options.wait);
   require_room(options, output);
   const CaseModel model = build_model(c);
 

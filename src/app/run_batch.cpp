@@ -4,17 +4,16 @@
 #include <chrono>
 #include <fstream>
 #include <list>
-#include <map>
 #include <thread>
 
 #include <fmt/format.h>
 
-#include "sundrape/app/child_process.hpp"
 #include "sundrape/app/interrupt.hpp"
 #include "sundrape/app/progress.hpp"
 #include "sundrape/app/stop_request.hpp"
 #include "sundrape/io/case_reader.hpp"
 #include "sundrape/io/file_error.hpp"
+#include "sundrape/io/file_lock.hpp"
 #include "sundrape/io/result_reader.hpp"
 #include "sundrape/version.hpp"
 
@@ -25,8 +24,6 @@ namespace {
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
-
-constexpr const char* this_program = "/proc/self/exe";  // the very one, even if its file has been replaced since
 
 enum class Earlier { nothing, done, resumable };
 
@@ -52,22 +49,21 @@ Earlier earlier_result(const fs::path& file, const Case& c, bool may_resume) {
 class Batch {
  public:
   Batch(const std::vector<BatchRun>& runs, const BatchOptions& options)
-      : runs_(runs),
-        options_(options),
-        jobs_(options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
-        outcomes_(runs.size()),
-        progress_(options.verbosity) {}
+      : runs_(runs), options_(options), folder_(options.folder), outcomes_(runs.size()), progress_(options.verbosity) {}
 
   std::vector<BatchOutcome> run() {
+    fs::create_directories(folder_);
+    const FileLock lock(folder_ / marker);  // two batches in one folder would run everything twice
     sort_out();
     const InterruptGuard guard;
-    while (!(waiting_.empty() || asked_to_stop_) || !working_.empty()) {
-      while (!asked_to_stop_ && !waiting_.empty() && static_cast<int>(working_.size()) < jobs_) start_next();
-      std::this_thread::sleep_for(20ms);
-      collect();
+    const auto executor = make_executor(options_.executor, folder_);
+    while (!(waiting_.empty() || asked_to_stop_) || working_ > 0) {
+      while (!asked_to_stop_ && !waiting_.empty() && executor->has_room()) start_next(*executor);
+      std::this_thread::sleep_for(5ms);
+      collect(*executor);
       if (InterruptGuard::requested() && !asked_to_stop_) {
         asked_to_stop_ = true;
-        for (auto& [index, child] : working_) child.interrupt();
+        executor->interrupt();
       }
     }
     return std::move(outcomes_);
@@ -81,11 +77,11 @@ class Batch {
 
   /// Checks every run's case before the first one starts, and looks which results are there.
   void sort_out() {
-    fs::create_directories(options_.folder);
-    const bool own = fs::exists(options_.folder / marker);
+    const bool own = fs::exists(folder_ / marker);
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const auto c = read_case(options_.case_file, runs_[i].sets);
-      outcomes_[i].result = options_.folder / (runs_[i].name + ".h5");
+      keys_.push_back(fmt::format("{:016x}", std::hash<std::string>()(c.text + c.inputs + version())));
+      outcomes_[i].result = folder_ / (runs_[i].name + ".h5");
       const auto earlier = earlier_result(outcomes_[i].result, c, options_.resume);
       if (earlier == Earlier::nothing && !own && fs::exists(outcomes_[i].result))
         throw FileError(
@@ -99,33 +95,33 @@ class Batch {
         waiting_.push_back({i, earlier == Earlier::resumable});
       }
     }
-    std::ofstream(options_.folder / marker) << "Results in this folder belong to a study or a crosscheck.\n";
+    std::ofstream(folder_ / marker) << "Results in this folder belong to a study or a crosscheck.\n";
+    tries_.resize(runs_.size());
     finished_ = runs_.size() - waiting_.size();
     if (finished_ > 0) progress_.say(fmt::format("{} of {} results are there already", finished_, runs_.size()));
   }
 
-  void start_next() {
+  void start_next(Executor& executor) {
     const auto [index, resume] = waiting_.front();
     waiting_.pop_front();
     const auto result = outcomes_[index].result.string();
-    std::vector<std::string> command{this_program, "run", options_.case_file.string(), "--quiet"};
+    // a run of an earlier batch that was killed may still be ending its step
+    std::vector<std::string> command{this_program(), "run", options_.case_file.string(), "--quiet", "--wait", "60"};
     if (resume)
       command.insert(command.end(), {"--resume", result});
     else
       command.insert(command.end(), {"-o", result, "--force"});
     for (const auto& set : runs_[index].sets) command.insert(command.end(), {"--set", set});
-    working_.emplace_back(index, ChildProcess(command, log_of(index)));
+    executor.submit(
+        {.id = index, .name = runs_[index].name, .key = keys_[index], .command = command, .log = log_of(index)});
+    ++tries_[index];
+    ++working_;
   }
 
-  void collect() {
-    for (auto work = working_.begin(); work != working_.end();) {
-      const auto status = work->second.status();
-      if (!status) {
-        ++work;
-        continue;
-      }
-      finish(work->first, *status);
-      work = working_.erase(work);
+  void collect(Executor& executor) {
+    for (const auto& [index, status] : executor.ended()) {
+      --working_;
+      finish(index, status);
       show(true);
     }
     show(false);
@@ -133,18 +129,30 @@ class Batch {
 
   void finish(std::size_t index, int status) {
     auto& outcome = outcomes_[index];
-    ++finished_;
     if (status == 0) {
+      ++finished_;
       outcome.status = BatchStatus::done;
       std::error_code ignored;
       fs::remove(log_of(index), ignored);
       return;
     }
-    outcome.status = status == 130 ? BatchStatus::interrupted : BatchStatus::failed;
-    outcome.message =
-        status > 128 && status != 130 ? fmt::format("killed by signal {}", status - 128) : last_line(log_of(index));
+    const bool lost = status == EndedTask::lost || status > 128;  // also 130: somebody stopped it, and it was not us
+    if (asked_to_stop_ && lost) return;                           // which leaves it as interrupted
+    outcome.message = status == EndedTask::lost ? "its process was lost"
+                      : status == 130           ? "stopped by a signal"
+                      : lost                    ? fmt::format("killed by signal {}", status - 128)
+                                                : last_line(log_of(index));
     if (outcome.message.empty()) outcome.message = fmt::format("exit status {}", status);
-    if (outcome.status != BatchStatus::failed) return;
+    if (lost && tries_[index] <= options_.retries) {
+      progress_.say(fmt::format("{}: {}; trying again", runs_[index].name, outcome.message));
+      outcome.message.clear();
+      const auto c = read_case(options_.case_file, runs_[index].sets);
+      waiting_.push_back({index, earlier_result(outcome.result, c, options_.resume) == Earlier::resumable});
+      return;
+    }
+    ++finished_;
+    outcome.status = BatchStatus::failed;
+    if (lost && tries_[index] > 1) outcome.message += fmt::format(", {} times", tries_[index]);
     ++failed_;
     progress_.say(fmt::format("{} failed: {}", runs_[index].name, outcome.message));
   }
@@ -152,21 +160,28 @@ class Batch {
   void show(bool changed) {
     if (!changed && !progress_.due()) return;
     if (options_.verbosity == Verbosity::quiet) return;
-    auto text = fmt::format("{} of {} runs finished, {} running", finished_, runs_.size(), working_.size());
+    auto text = fmt::format("{} of {} runs finished, {} {}", finished_, runs_.size(), working_,
+                            options_.executor.kind == ExecutorKind::local ? "running" : "queued or running");
     if (failed_ > 0) text += fmt::format(", {} failed", failed_);
     progress_.show(text, static_cast<double>(finished_) / static_cast<double>(runs_.size()));
   }
 
-  [[nodiscard]] fs::path log_of(std::size_t index) const { return options_.folder / (runs_[index].name + ".log"); }
+  /// The very program that runs, even if its file has been replaced since; elsewhere by its name.
+  [[nodiscard]] std::string this_program() const {
+    constexpr const char* self = "/proc/self/exe";
+    return options_.executor.kind == ExecutorKind::local ? self : fs::read_symlink(self).string();
+  }
+  [[nodiscard]] fs::path log_of(std::size_t index) const { return folder_ / (runs_[index].name + ".log"); }
 
   const std::vector<BatchRun>& runs_;
   const BatchOptions& options_;
-  int jobs_;
+  fs::path folder_;
   std::vector<BatchOutcome> outcomes_;
   Progress progress_;
   std::list<Waiting> waiting_;
-  std::list<std::pair<std::size_t, ChildProcess>> working_;
-  std::size_t finished_ = 0, failed_ = 0;
+  std::vector<std::string> keys_;  // of what each run computes
+  std::vector<int> tries_;
+  std::size_t working_ = 0, finished_ = 0, failed_ = 0;
   bool asked_to_stop_ = false;
 };
 

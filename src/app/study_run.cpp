@@ -91,7 +91,8 @@ ExitStatus run_study(const StudyOptions& options) {
   if (study.reference) runs.push_back({reference_name, study.reference_settings()});
   auto outcomes = run_batch(runs, {.case_file = study.case_file,
                                    .folder = folder / "runs",
-                                   .jobs = options.jobs,
+                                   .executor = options.executor,
+                                   .retries = options.retries,
                                    .resume = study.resume,
                                    .verbosity = options.verbosity});
   const auto count = [&](BatchStatus status) { return std::ranges::count(outcomes, status, &BatchOutcome::status); };
@@ -106,7 +107,8 @@ ExitStatus run_study(const StudyOptions& options) {
     reference = std::move(outcomes.back());
     outcomes.pop_back();
   }
-  const auto outcome = study_outcome(study, std::move(names), std::move(outcomes), std::move(reference), options.jobs);
+  const auto outcome =
+      study_outcome(study, std::move(names), std::move(outcomes), std::move(reference), options.executor.jobs);
   write_text(folder / "study.json", study_json(study, outcome, folder).dump(2) + "\n");
   write_text(folder / "study.csv", runs_csv(study, outcome));
   write_study_file(folder / "study.h5", study, outcome);

@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> resume;   // a result with a checkpoint
   std::optional<std::filesystem::path> summary;  // JSON
   int threads = 1;
+  double wait = 0;  // for another process that is writing the result [s]
   bool overwrite = false;
   Verbosity verbosity = Verbosity::normal;
 };

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "sundrape/app/executor.hpp"
 #include "sundrape/app/run.hpp"
 
 namespace sundrape {
@@ -10,7 +11,8 @@ namespace sundrape {
 struct StudyOptions {
   std::filesystem::path study_file;
   std::optional<std::filesystem::path> folder;  // default: the study's name, in the current folder
-  int jobs = 0;                                 // processes at a time; 0: one a processor
+  ExecutorOptions executor = {};
+  int retries = 2;  // of a run whose process or machine was lost
   Verbosity verbosity = Verbosity::normal;
 };
 
