@@ -130,17 +130,20 @@ def observed_slope(curve: Curve) -> float | None:
 
 
 def draw(study: Study, figure: dict[str, Any]) -> Figure:
-    """One figure: a row of panels for each of its outputs, a column for each value of `panels`."""
-    panels = study.axis(figure["panels"])
-    columns = [None] if panels is None else list(range(len(study.axes[panels].labels)))
-    by = study.axis(figure["by"])
+    """One figure: a row of panels for each of its outputs and a column for each value of `panels`, or, without `panels`,
+    its outputs side by side."""
+    panels, by = study.axis(figure["panels"]), study.axis(figure["by"])
+    if panels is None:
+        grid = [[(y, None) for y in figure["y"]]]
+    else:
+        grid = [[(y, panel) for panel in range(len(study.axes[panels].labels))] for y in figure["y"]]
     beside = LEGEND if by is not None or "slope" in figure else 0.2
-    width, height = PANEL[0] * len(columns) + beside, PANEL[1] * len(figure["y"]) + HEAD
+    width, height = PANEL[0] * len(grid[0]) + beside, PANEL[1] * len(grid) + HEAD
     with plt.rc_context(STYLE):
         page = plt.figure(figsize=(width, height), dpi=DPI, facecolor="white")
         page.text(0.16 / width, 1 - 0.16 / height, study.title, fontsize=12, fontweight="bold", va="top")
-        for row, y in enumerate(figure["y"]):
-            for column, panel in enumerate(columns):
+        for row, cells in enumerate(grid):
+            for column, (y, panel) in enumerate(cells):
                 left, bottom = column * PANEL[0] + 0.78, height - HEAD - (row + 1) * PANEL[1] + 0.52
                 axes = page.add_axes(
                     (left / width, bottom / height, (PANEL[0] - 0.95) / width, (PANEL[1] - 0.85) / height)
@@ -149,7 +152,7 @@ def draw(study: Study, figure: dict[str, Any]) -> Figure:
                 _panel(axes, study, figure, y, drawn)
                 if panel is not None:
                     axes.set_title(f"{study.axes[panels].name} = {study.axes[panels].labels[panel]}", loc="left")
-                if column == len(columns) - 1 and (row == 0 or "slope" in figure):
+                if column == len(cells) - 1 and (row == 0 or "slope" in figure):
                     _legend(axes, study, by, drawn, figure)
         return page
 
