@@ -70,6 +70,7 @@ std::unique_ptr<Integrator> make_integrator(const Case& c, const CaseModel& mode
   }
   auto solver = dynamics_solver(c);
   if (d.integrator == IntegratorKind::ida) return make_ida(*model.system, std::move(solver), options, events);
+  if (d.integrator == IntegratorKind::dirk) return make_dirk(*model.system, std::move(solver), options, events);
   return make_cvode(*model.system, std::move(solver), options, events);
 }
 

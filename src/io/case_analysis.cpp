@@ -40,7 +40,11 @@ DynamicsCase resolve_dynamics(const CaseSection& section) {
   dynamics.atol_velocity = section.maybe_number("atol_velocity");
   dynamics.max_order = section.integer("max_order");
   dynamics.step = section.maybe_number("step");
-  if (dynamics.step && dynamics.integrator != IntegratorKind::rk4)
+  const bool is_dirk = dynamics.integrator == IntegratorKind::dirk;
+  if (is_dirk && dynamics.max_order < 2)
+    section.fail("max_order",
+                 fmt::format("{} is outside [2, 5], the orders of integrator = \"dirk\"", dynamics.max_order));
+  if (dynamics.step && dynamics.integrator != IntegratorKind::rk4 && !is_dirk)
     section.fail("step", fmt::format("integrator = \"{}\" chooses its steps itself; max_step bounds them", integrator));
   dynamics.max_step = section.maybe_number("max_step");
   dynamics.first_step = section.maybe_number("first_step");

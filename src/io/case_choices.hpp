@@ -27,7 +27,7 @@ inline constexpr Choices<Model, 2> model{{"particle", "shell"}};
 inline constexpr Choices<Analysis, 3> analysis{{"dynamics", "relaxation", "arc-length"}};
 inline constexpr Choices<PathControlKind, 2> path_control{{"arc-length", "load"}};
 inline constexpr Choices<BifurcationKind, 3> at_bifurcation{{"pass", "switch", "stop"}};
-inline constexpr Choices<IntegratorKind, 3> integrator{{"cvode", "ida", "rk4"}};
+inline constexpr Choices<IntegratorKind, 4> integrator{{"cvode", "ida", "rk4", "dirk"}};
 inline constexpr Choices<ShellMembrane, 4> membrane{{"centre", "bilinear", "edge-tied", "mixed"}};
 inline constexpr Choices<ShellBending, 2> bending{{"geodesic", "bilinear"}};
 inline constexpr Choices<ShellDirector, 3> director{{"auto", "inertia", "massless"}};

@@ -13,7 +13,8 @@ void describe_dynamics(CaseDescription& out, const DynamicsCase& dynamics) {
   out.maybe_number("atol_position", dynamics.atol_position);
   out.maybe_number("atol_velocity", dynamics.atol_velocity);
   out.verbatim("max_order", fmt::format("{}", dynamics.max_order));
-  if (dynamics.integrator == IntegratorKind::rk4) out.maybe_number("step", dynamics.step);
+  if (dynamics.integrator == IntegratorKind::rk4 || dynamics.integrator == IntegratorKind::dirk)
+    out.maybe_number("step", dynamics.step);
   out.maybe_number("max_step", dynamics.max_step);
   out.maybe_number("first_step", dynamics.first_step);
   out.text("linear_solver", dynamics.linear_solver);

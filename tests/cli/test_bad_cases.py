@@ -22,6 +22,7 @@ SLIPS = {
     "no cells": ("cells = [4, 3]", "cells = [0, 3]", "cloth.cells", "outside [1, 10000]"),
     "no duration": ('duration = "20 ms"', "", "dynamics.duration", "missing"),
     "fixed step of a method that chooses its own": ('rtol = 1e-3', 'rtol = 1e-3\nstep = "1 ms"', "dynamics.step", "cvode"),
+    "order that the method has not": ('rtol = 1e-3', 'rtol = 1e-3\nintegrator = "dirk"\nmax_order = 1', "dynamics.max_order", "outside [2, 5]"),
     "unknown analysis": ('"dynamics"', '"dynamic"', "analysis", "did you mean 'dynamics'"),
     "unknown model": ('"particle"', '"particles"', "model", "did you mean 'particle'"),
     "table given twice": ("[output]", "[dynamics]\n[output]", "", ""),

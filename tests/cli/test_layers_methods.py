@@ -39,7 +39,7 @@ class ContactByOtherMethods(CommandLineTest):
             self.assertEqual(result["frames/crossings"][:].sum(), 0)
             return result["frames/position"][:], result["steps/contacts"][:].max()
 
-    def test_three_integrators_see_the_same_bounce(self):
+    def test_all_integrators_see_the_same_bounce(self):
         case = self.write("two.toml", TWO + """[dynamics]
 duration = "60 ms"
 rtol = 1e-7
@@ -48,7 +48,7 @@ frames = 6
 """)
         ends = {}
         # damping that is stiff would make the explicit method creep
-        for integrator in ("cvode", "ida", "rk4"):
+        for integrator in ("cvode", "ida", "dirk", "rk4"):
             self.done("run", case, "--quiet", "-o", f"{integrator}.h5", "--set", f"dynamics.integrator={integrator}",
                       "--set", "material.damping.membrane=0.1 ms", "--set", "material.damping.bending=0.1 ms")
             ends[integrator], contacts = self.frames(f"{integrator}.h5")
@@ -56,7 +56,7 @@ frames = 6
         way = np.ptp(ends["rk4"][:, 25:, 2], axis=0).max()
         self.assertGreater(way, 4 * THICKNESS)
         # the methods share no code but the forces; a fiftieth of the thickness is below what the law of contact resolves
-        for integrator in ("cvode", "ida"):
+        for integrator in ("cvode", "ida", "dirk"):
             self.assertLess(abs(ends[integrator] - ends["rk4"]).max(), THICKNESS / 50, integrator)
 
     def test_shells_lie_on_each_other_too(self):

@@ -25,7 +25,7 @@ class Restitution(CommandLineTest):
         return (height + velocity**2 / (2 * GRAVITY))[:-1][rising]
 
     def test_apexes_stand_to_each_other_as_the_coefficient_squared(self):
-        for integrator in ("cvode", "ida"):
+        for integrator in ("cvode", "ida", "dirk"):
             for coefficient in (0.7, 0.5):
                 with self.subTest(integrator=integrator, coefficient=coefficient):
                     _, height, velocity = self.bounce(f"contact.restitution={coefficient}", f"dynamics.integrator={integrator}")

@@ -127,6 +127,17 @@ class Resume(CommandLineTest):
             self.assertEqual(again["final"]["energy_J"]["kinetic"], result["frames/energy/kinetic"][-1])
             np.testing.assert_array_equal(again["final"]["reaction_N"]["hand"], result["frames/reaction/hand"][-1])
 
+    def test_every_integrator_with_a_memory_of_its_own_takes_up_what_was_left(self):
+        for integrator in ("ida", "dirk"):
+            with self.subTest(integrator):
+                def run(name, duration, frames, *more):
+                    self.done("run", self.case, "--quiet", "--set", f"dynamics.integrator={integrator}", "--set", f"dynamics.duration={duration}",
+                              "--set", f"output.frames={frames}", "-o", name, *more)
+                run("whole.h5", 2, 10)
+                run("half.h5", 1, 5)
+                run("both.h5", 2, 10, "--resume", "half.h5")
+                self.expect_same_end("both.h5", self.read("whole.h5")[1])
+
     def test_what_cannot_be_resumed_is_named(self):
         self.done("run", self.case, "--quiet", "-o", "short.h5", "--set", "dynamics.duration='10 ms'", "--set", "output.frames=1")
         for settings, reason in ((["--set", "cloth.cells=[10, 2]"], "mesh"), (["--set", "analysis=relaxation"], "relaxation")):

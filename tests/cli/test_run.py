@@ -73,13 +73,13 @@ class Run(CommandLineTest):
         # to the accuracy of the methods, whose steps are independent of each other: 2 % of the way that the free end goes
         case = self.write("strip.toml", hanging(duration="0.2 s", cells="[6, 1]", frames="4"))
         ends = {}
-        for integrator in ("cvode", "ida", "rk4"):
+        for integrator in ("cvode", "ida", "dirk", "rk4"):
             step = ["--set", "dynamics.step='0.1 ms'"] if integrator == "rk4" else []
             self.done("run", case, "--quiet", "--set", f"dynamics.integrator={integrator}", "--set", "dynamics.rtol=1e-5", *step, "-o", f"{integrator}.h5")
             with h5py.File(self.folder / f"{integrator}.h5") as result:
                 ends[integrator] = result["frames/position"][-1]
                 way = np.abs(result["frames/position"][-1] - result["frames/position"][0]).max()
-        for integrator in ("cvode", "ida"):
+        for integrator in ("cvode", "ida", "dirk"):
             self.assertLess(np.abs(ends[integrator] - ends["rk4"]).max(), 0.02 * way, integrator)
 
 

@@ -46,6 +46,7 @@ std::unique_ptr<Integrator> make(const std::string& name, const System& system) 
   auto solver = make_linear_solver(SolverKind::cholesky);
   if (name == "cvode") return make_cvode(system, std::move(solver), options);
   if (name == "ida") return make_ida(system, std::move(solver), options);
+  if (name == "dirk") return make_dirk(system, std::move(solver), options);
   return make_rk4(system, {.fixed_step = 0.01 / frequency});
 }
 
@@ -80,7 +81,7 @@ TEST_P(CarriedSupport, PutsInTheWorkThatTheMotionHas) {
   EXPECT_NEAR(last.books.external_work, whole, 2e-3 * whole);   // sums at the middles of steps
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, CarriedSupport, testing::Values("cvode", "ida", "rk4"),
+INSTANTIATE_TEST_SUITE_P(Of, CarriedSupport, testing::Values("cvode", "ida", "rk4", "dirk"),
                          [](const auto& info) { return info.param; });
 
 }  // namespace

@@ -20,6 +20,7 @@ std::unique_ptr<Integrator> make(const std::string& name, const System& system) 
   auto solver = make_linear_solver(SolverKind::conjugate_gradients);
   if (name == "cvode") return make_cvode(system, std::move(solver), options);
   if (name == "ida") return make_ida(system, std::move(solver), options);
+  if (name == "dirk") return make_dirk(system, std::move(solver), options);
   return make_rk4(system, {.fixed_step = 0.01 / frequency});
 }
 
@@ -59,7 +60,7 @@ TEST_P(Integrators, InterpolateWithinTheLastStepAndRestart) {
   EXPECT_EQ(integrator->statistics().restarts, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Integrators, testing::Values("cvode", "ida", "rk4"),
+INSTANTIATE_TEST_SUITE_P(Of, Integrators, testing::Values("cvode", "ida", "rk4", "dirk"),
                          [](const auto& info) { return info.param; });
 
 TEST(StabilityLimit, IsThatOfTheOnlyModeOfASpring) {

@@ -134,6 +134,8 @@ TEST(ShellFold, OnlyIdaTakesDirectorsWithoutInertia) {
   const auto strip = folded_strip(0, 1e-3, 3e-4);
   EXPECT_THROW((void)make_cvode(*strip.system, make_linear_solver(SolverKind::conjugate_gradients), {}, nullptr),
                std::invalid_argument);
+  EXPECT_THROW((void)make_dirk(*strip.system, make_linear_solver(SolverKind::conjugate_gradients), {}, nullptr),
+               std::invalid_argument);
   EXPECT_THROW((void)make_rk4(*strip.system, {.fixed_step = 1e-6}, nullptr), std::invalid_argument);
 }
 

@@ -64,6 +64,7 @@ std::unique_ptr<Integrator> make(const std::string& name, const System& system) 
   auto solver = make_linear_solver(SolverKind::cholesky);
   if (name == "cvode") return make_cvode(system, std::move(solver), options);
   if (name == "ida") return make_ida(system, std::move(solver), options);
+  if (name == "dirk") return make_dirk(system, std::move(solver), options);
   return make_rk4(system, {.fixed_step = 1e-3});
 }
 
@@ -94,7 +95,7 @@ TEST_P(SupportChange, MassIsCaughtCarriedAndThrown) {
   EXPECT_NEAR(frames.books.method_dissipated, 0, 1e-5 * fall);
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, SupportChange, testing::Values("cvode", "ida", "rk4"),
+INSTANTIATE_TEST_SUITE_P(Integrators, SupportChange, testing::Values("cvode", "ida", "rk4", "dirk"),
                          [](const auto& info) { return info.param; });
 
 }  // namespace

@@ -77,7 +77,7 @@ const std::vector<Slip> slips{
     {"StringForATable", "{ translate = [0, 0, \"1 mm\"] }", "\"here\"", 9, "cloth.place",
      "a table is expected, not 'here'"},
     {"MisspeltChoice", "\"cvode\"", "\"cvod\"", 31, "dynamics.integrator",
-     "'cvod' is not one of cvode, ida, rk4, did you mean 'cvode'?"},
+     "'cvod' is not one of cvode, ida, rk4, dirk, did you mean 'cvode'?"},
     {"UnknownModel", "\"particle\"", "\"shells\"", 2, "model",
      "'shells' is not one of particle, shell, did you mean 'shell'?"},
     {"ShellTableOfAParticleNet", "[cloth]", shell("membrane = \"mixed\""), 5, "shell",
@@ -195,7 +195,7 @@ TEST(MasslessDirectors, NeedIda) {
     (void)parse_case(text, "CASE.toml", {"model=shell", "dynamics.integrator=" + integrator});
   };
   EXPECT_NO_THROW(read("ida"));
-  for (const auto* integrator : {"cvode", "rk4"}) {
+  for (const auto* integrator : {"cvode", "rk4", "dirk"}) {
     try {
       read(integrator);
       FAIL() << integrator;

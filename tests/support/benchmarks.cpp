@@ -63,6 +63,7 @@ std::unique_ptr<Integrator> integrator_of(const Benchmark& b) {
   if (b.c.dynamics.integrator == IntegratorKind::rk4) return make_rk4(system, options);
   auto solver = dynamics_solver(b.c);
   if (b.c.dynamics.integrator == IntegratorKind::ida) return make_ida(system, std::move(solver), options);
+  if (b.c.dynamics.integrator == IntegratorKind::dirk) return make_dirk(system, std::move(solver), options);
   return make_cvode(system, std::move(solver), options);
 }
 

@@ -39,7 +39,7 @@ Drift drift(const std::string& name, const std::string& integrator, int cells, c
 
 TEST(EnergyDrift, StaysWithinWhatTheErrorWeightsAllow) {
   for (const auto& name : {net, shell})
-    for (const char* integrator : {"cvode", "ida"}) {
+    for (const char* integrator : {"cvode", "ida", "dirk"}) {
       const auto d = drift(name, integrator, 20, "1e-5");
       EXPECT_LT(d.largest, d.allowed) << name << ", " << integrator;
     }
@@ -47,7 +47,7 @@ TEST(EnergyDrift, StaysWithinWhatTheErrorWeightsAllow) {
 
 TEST(EnergyDriftVerification, FallsWithTheToleranceAndStaysWithinWhatTheErrorWeightsAllow) {
   for (const auto& name : {net, shell})
-    for (const char* integrator : {"cvode", "ida"}) {
+    for (const char* integrator : {"cvode", "ida", "dirk"}) {
       std::map<std::string, double> largest;
       for (const std::string rtol : {"1e-3", "1e-4", "1e-5", "1e-6", "1e-7"}) {
         const auto d = drift(name, integrator, 40, rtol);

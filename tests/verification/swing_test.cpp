@@ -44,10 +44,12 @@ double error_with(const std::vector<std::string>& sets, const std::string& name 
 TEST(Swing, TipFollowsTheReferenceWithTheCaseAsItStands) {
   EXPECT_LT(error_with({"dynamics.integrator=cvode"}), 0.005);
   EXPECT_LT(error_with({"dynamics.integrator=ida"}), 0.005);
+  for (const int order : {2, 3, 4, 5})
+    EXPECT_LT(error_with({"dynamics.integrator=dirk", fmt::format("dynamics.max_order={}", order)}), 0.005);
 }
 
 TEST(SwingVerification, TipErrorFallsWithTheMeshAndWithTheTolerance) {
-  for (const std::string integrator : {"cvode", "ida"}) {
+  for (const std::string integrator : {"cvode", "ida", "dirk"}) {
     std::map<int, std::map<std::string, double>> errors;
     for (const int n : {40, 80, 160})
       for (const std::string rtol : {"1e-4", "1e-5", "1e-6"})

@@ -20,10 +20,10 @@ struct IntegratorOptions {
   double atol_position = 0;  // [m]
   double atol_velocity = 0;  // [m/s]
   Vector rate_slack = {};    // rows, n: how many times larger the errors of rates may be; empty: 1
-  int max_order = 2;
+  int max_order = 2;         // of the BDF; the order of the diagonally implicit Runge–Kutta method
   std::optional<double> first_step{}, max_step{};  // [s]
   double newton_accuracy = 1;                      // factor on the error that Newton's iteration may leave
-  double fixed_step = 0;                           // [s], Runge–Kutta only
+  double fixed_step = 0;                           // [s], Runge–Kutta only; diagonally implicit: 0 for error control
   double linear_tolerance = 3e-3;                  // of iterative linear solves, relative
 };
 
@@ -64,6 +64,9 @@ class Integrator {
 /// IDA's BDF on the residual (q̇ − v, M v̇ − f).
 [[nodiscard]] std::unique_ptr<Integrator> make_ida(const System& system, std::unique_ptr<LinearSolver> solver,
                                                    const IntegratorOptions& options, EventSource* events = nullptr);
+/// ARKODE's diagonally implicit Runge–Kutta methods on ẏ = (v, M⁻¹ f), of order 2 to 5 (docs/integrators.md).
+[[nodiscard]] std::unique_ptr<Integrator> make_dirk(const System& system, std::unique_ptr<LinearSolver> solver,
+                                                    const IntegratorOptions& options, EventSource* events = nullptr);
 /// The classical fourth-order Runge–Kutta method with a fixed step (chapter §3.3), through ARKODE.
 [[nodiscard]] std::unique_ptr<Integrator> make_rk4(const System& system, const IntegratorOptions& options,
                                                    EventSource* events = nullptr);

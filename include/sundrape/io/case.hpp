@@ -217,7 +217,7 @@ struct ContactCase {
                                       // mean of two
 };
 
-enum class IntegratorKind { cvode, ida, rk4 };
+enum class IntegratorKind { cvode, ida, rk4, dirk };
 
 struct DynamicsCase {
   IntegratorKind integrator = IntegratorKind::cvode;
