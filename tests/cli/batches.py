@@ -1,4 +1,4 @@
-"""A study of a dozen short runs, one of which fails, and what is done to it. For test_executors.py and verify_executors.py."""
+"""A study of a dozen short runs, one of which fails, and what is done to it. For test_executors.py and verify_clusters.py."""
 import os
 import pathlib
 import signal
