@@ -15,6 +15,7 @@ namespace sundrape {
 namespace {
 
 constexpr double first_damping = 1e-3, largest_damping = 1e8;
+constexpr double least_change = 1e-5;  // over a parameter's scale: what runs leave out of balance shows below
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Which parameters may move: all but those that lie on a bound and are drawn beyond it.
@@ -56,7 +57,7 @@ bool is_small(const Vector& way, const LeastSquaresPoint& point, const LeastSqua
     const double influence = point.jacobian.col(i).norm();
     // the error that the parameter would have alone, which is the least that it can have
     const double error = influence > 0 ? deviation / influence : 0;
-    if (std::abs(way[i]) > o.tolerance * std::max(std::min(error, o.scale[i]), 1e-3 * o.scale[i])) return false;
+    if (std::abs(way[i]) > std::max(o.tolerance * error, least_change * o.scale[i])) return false;
   }
   return true;
 }

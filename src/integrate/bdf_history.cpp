@@ -53,6 +53,8 @@ Vector BdfHistory::apply(const Weights& weights, const Past& past) {
 
 Vector BdfHistory::g(const Past& past) const { return apply(g_, past); }
 
+Vector BdfHistory::predicted(const Past& past) const { return apply(weights(order_, time_, 1, 0), past); }
+
 void BdfHistory::accept(const Vector& y, const Vector& g, Past& past) const {
   past.rate = c_ * y - g;
   past.values.push_front(y);

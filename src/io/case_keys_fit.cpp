@@ -34,9 +34,9 @@ Section top() {
                .doc = "Runs of the case after which the search is given up."},
               {.name = "tolerance",
                .range = above_to(0, 0.1),
-               .default_value = "1e-4",
-               .doc = "Change of every parameter, relative to its standard error or, where that is larger, to itself, "
-                      "below which the search ends."},
+               .default_value = "0.01",
+               .doc = "The search ends once a step would change every parameter by less than this part of its standard "
+                      "error."},
               {.name = "confidence",
                .range = {.low = 0, .high = 1},
                .default_value = "0.95",

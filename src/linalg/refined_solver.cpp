@@ -1,16 +1,16 @@
 #include "sundrape/linalg/refined_solver.hpp"
 
-#include <algorithm>
 #include <stdexcept>
+
+#include <Eigen/QR>
 
 #include "sundrape/linalg/lu.hpp"
 
 namespace sundrape {
 namespace {
 
-constexpr double inner_tolerance = 1e-3;  // of one correction: most of them come out of single precision
-constexpr double slow = 0.3;              // part of the residual that a correction may leave
-constexpr int most_corrections = 20;
+constexpr double inner_tolerance = 0.1;  // of one direction, which single precision is enough for
+constexpr int most_directions = 20;
 
 }  // namespace
 
@@ -55,28 +55,46 @@ SolveReport RefinedSolver::solve(ConstVectorRef b, VectorRef x, double tolerance
   x.setZero();
   if (size == 0) return {};
   SolveReport report;
-  rest_ = b;
-  correction_.resize(b.size());
-  double left = size;
-  for (int k = 0; k < most_corrections && !is_direct_; ++k) {
-    const auto inner = symmetric_->solve(rest_, correction_, std::max(inner_tolerance, 0.5 * tolerance * size / left),
-                                         largest);
-    report.iterations += inner.iterations;
-    if (!inner.ok) break;
-    x += correction_;
-    matrix_->multiply(x, rest_);
-    rest_ = b - rest_;
-    const double now = rest_.norm();
-    if (now <= tolerance * size) return report;
-    if (!(now <= slow * left)) break;
-    left = now;
-  }
+  if (!is_direct_ && iterate(b, x, tolerance, largest, report)) return report;
   if (!is_direct_ && factor_directly() != FactorStatus::ok)
     return {.ok = false, .iterations = report.iterations, .problem = "the matrix is singular"};
   const auto direct = direct_->solve(b, x, tolerance, largest);
   report.ok = direct.ok;
   report.problem = direct.problem;
   return report;
+}
+
+/// Flexible GMRES: x = Z y with z_k the other solver's answer to direction v_k, |b − A Z y| least (Saad 1993).
+bool RefinedSolver::iterate(ConstVectorRef b, VectorRef x, double tolerance, double largest, SolveReport& report) {
+  const double size = b.norm();
+  directions_.assign(1, b / size);
+  answers_.clear();
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most_directions + 1, most_directions);
+  for (int k = 0; k < most_directions; ++k) {
+    Vector answer(b.size()), image(b.size());
+    const auto inner = symmetric_->solve(directions_.back(), answer, inner_tolerance, largest);
+    report.iterations += inner.iterations;
+    if (!inner.ok) return false;
+    matrix_->multiply(answer, image);
+    answers_.push_back(std::move(answer));
+    for (int j = 0; j <= k; ++j) {
+      const auto& direction = directions_[static_cast<std::size_t>(j)];
+      hessenberg(j, k) = direction.dot(image);
+      image -= hessenberg(j, k) * direction;
+    }
+    hessenberg(k + 1, k) = image.norm();
+    const Eigen::MatrixXd seen = hessenberg.topLeftCorner(k + 2, k + 1);
+    Vector wanted = Vector::Zero(k + 2);
+    wanted[0] = size;
+    const Vector y = seen.householderQr().solve(wanted);
+    const double left = (seen * y - wanted).norm();
+    if (left <= tolerance * size || hessenberg(k + 1, k) == 0) {
+      for (int j = 0; j <= k; ++j) x += y[j] * answers_[static_cast<std::size_t>(j)];
+      return left <= tolerance * size;
+    }
+    directions_.emplace_back(image / hessenberg(k + 1, k));
+  }
+  return false;
 }
 
 }  // namespace sundrape

@@ -38,7 +38,7 @@ void expect_derivatives_of_equilibrium(const std::string& text, const std::strin
       const auto other = build_model(changed);
       return other.of_nodes(relaxed(other, changed, q));
     };
-    const Vector expected = (at(1 + change) - at(1 - change)) / (2 * change * std::abs(p.value));
+    const Vector expected = (at(1 + change) - at(1 - change)) / (2 * change * p.value);
     EXPECT_GT(expected.norm(), 0);
     EXPECT_LT((found[k].position - expected).lpNorm<Eigen::Infinity>(), agreement * expected.lpNorm<Eigen::Infinity>())
         << p.key;
@@ -61,6 +61,7 @@ poisson = 0.2
 bending = { law = "linear", rigidity = "0.3 gf*cm^2/cm" }
 [[load]]
 kind = "gravity"
+acceleration = [0, 0, -9.80665]
 )" + more;
 }
 
@@ -68,7 +69,7 @@ TEST(StaticSensitivity, OfACantilever) {
   for (const char* model : {"particle", "shell"})
     expect_derivatives_of_equilibrium(
         strip("[[fix]]\nnodes = \"left\"\n", model),
-        R"("material.bending.rigidity", "material.weight", "material.youngs_modulus", "load.0.acceleration.2")");
+        R"("material.bending.rigidity", "material.weight", "load.0.acceleration.2")");
 }
 
 TEST(StaticSensitivity, OfACatenary) {
@@ -92,7 +93,7 @@ place = { translate = ["-9.2 cm", 0, "-2 cm"] }
 [contact]
 stiffness = "1e7 N/m^3"
 )"),
-      R"("material.bending.rigidity", "material.weight", "contact.stiffness", "obstacle.0.place.translate.0")");
+      R"("material.bending.rigidity", "material.weight", "contact.stiffness", "obstacle.0.edge_radius")");
 }
 
 TEST(StaticSensitivity, OfAMeasuredBendingLawWithoutEnergy) {
@@ -117,8 +118,8 @@ TEST(StaticSensitivity, OfWhereASupportIs) {
   const auto found = sensitivities.at_equilibrium({0, q, Vector::Zero(q.size())});
   ASSERT_EQ(found.size(), 1U);
   for (int n = 0; n < model.mesh.nodes(); ++n) {
-    EXPECT_NEAR(found[0].position[3 * n], 1, 1e-5);
-    EXPECT_NEAR(found[0].position[3 * n + 2], 0, 1e-5);
+    EXPECT_NEAR(found[0].position[3 * n], 1, agreement);
+    EXPECT_NEAR(found[0].position[3 * n + 2], 0, agreement);
   }
 }
 
@@ -135,13 +136,13 @@ TEST(StaticSensitivity, RefusesWhatIsNoContinuousNumber) {
     }
   };
   EXPECT_EQ(problem("cloth.cells.0"),
-            "CASE.toml:19: sensitivity.parameters: 'cloth.cells.0': 'cloth.cells' is a whole number, which has no "
+            "CASE.toml:20: sensitivity.parameters: 'cloth.cells.0': 'cloth.cells' is a whole number, which has no "
             "derivative");
   EXPECT_EQ(problem("material.bending.rigidty"),
-            "CASE.toml:19: sensitivity.parameters: 'material.bending.rigidty': there is no key "
+            "CASE.toml:20: sensitivity.parameters: 'material.bending.rigidty': there is no key "
             "'material.bending.rigidty', did you mean 'rigidity'?");
   EXPECT_EQ(problem("obstacle.0.friction"),
-            "CASE.toml:19: sensitivity.parameters: 'obstacle.0.friction': 'obstacle' has no entry '0'");
+            "CASE.toml:20: sensitivity.parameters: 'obstacle.0.friction': 'obstacle' has no entry '0'");
   EXPECT_NE(problem("contact.stiffness").find("give it a value"), std::string::npos);
   EXPECT_NE(problem("material.damping.mass").find("is 0"), std::string::npos);
   EXPECT_NE(problem("material.net.compression_factor").find("at the edge of"), std::string::npos);

@@ -25,8 +25,8 @@ struct LeastSquaresStep {
 
 struct LeastSquaresOptions {
   Vector lower, upper;    // bounds of θ, p
-  Vector scale;           // what a change of θ counts over where that is more than its standard error, p
-  double tolerance = 1e-4;
+  Vector scale;           // sizes of θ, p
+  double tolerance = 1e-2;
   int max_iterations = 30;
 };
 
@@ -41,7 +41,7 @@ struct LeastSquaresResult {
 /// Gauss–Newton with Levenberg–Marquardt damping (Marquardt 1963; Nielsen's rule for the damping) within bounds:
 ///     (JᵀJ + λ diag JᵀJ) Δθ = −Jᵀ r,
 /// parameters that press against a bound being left out of a step. Ends once a full step would change every parameter
-/// by less than `tolerance` of its standard error, or of its scale where that is larger.
+/// by less than `tolerance` of its standard error, or by less than 10⁻⁵ of its size.
 /// @param evaluate  nothing where the model has no answer: the step is tried again, shorter
 /// @param observe   after every try; false stops the search
 /// @throws std::runtime_error  the model has no answer at the start

@@ -34,6 +34,8 @@ class BdfHistory {
   };
   /// g of the step that has begun.
   [[nodiscard]] Vector g(const Past& past) const;
+  /// What the method predicts for y_n.
+  [[nodiscard]] Vector predicted(const Past& past) const;
   /// Takes y_n and ẏ_n = c y_n − g into the past.
   void accept(const Vector& y, const Vector& g, Past& past) const;
   /// Ends the step, once every vector has been accepted.

@@ -52,7 +52,7 @@ struct Fit {
   std::vector<FitParameter> parameters;
   std::vector<Measured> measured;
   int max_iterations = 30;
-  double tolerance = 1e-4, confidence = 0.95;
+  double tolerance = 1e-2, confidence = 0.95;
 
   /// How many numbers were measured.
   [[nodiscard]] std::size_t numbers() const;

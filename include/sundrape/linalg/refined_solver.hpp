@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "sundrape/linalg/linear_solver.hpp"
 
@@ -8,8 +9,8 @@ namespace sundrape {
 
 /// Solves unsymmetric systems that are nearly symmetric, to any accuracy, by a solver of symmetric ones.
 ///
-/// The symmetric part is what the other solver gets; what its solutions leave of the whole system's right side is
-/// solved for in turn (iterative refinement). Where that does not converge quickly the whole matrix goes to LU.
+/// The symmetric part is what the other solver gets, with few digits asked for; its answers precondition flexible GMRES
+/// on the whole system (Saad 1993). Where that does not converge quickly the whole matrix goes to LU.
 class RefinedSolver final : public LinearSolver {
  public:
   /// @param symmetric  for the symmetric part
@@ -26,13 +27,14 @@ class RefinedSolver final : public LinearSolver {
 
  private:
   [[nodiscard]] FactorStatus factor_directly();
+  [[nodiscard]] bool iterate(ConstVectorRef b, VectorRef x, double tolerance, double largest, SolveReport& report);
 
   std::unique_ptr<LinearSolver> symmetric_, direct_;
   const BlockStructure* structure_ = nullptr;
   const BlockMatrix* matrix_ = nullptr;
   std::optional<BlockMatrix> part_;  // the symmetric one
   bool is_direct_ = false;           // of the matrix at hand
-  Vector rest_, correction_;
+  std::vector<Vector> directions_, answers_;
 };
 
 }  // namespace sundrape
