@@ -287,7 +287,7 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
   watch.attach(dynamics);
   std::optional<ForwardSensitivity> sensitivity;
   if (by != nullptr) {
-    sensitivity.emplace(*model.system, sensitivity_solver(c), by->derivatives(),
+    sensitivity.emplace(by->exact_system(), sensitivity_solver(c), by->derivatives(),
                         c.dynamics.integrator == IntegratorKind::ida ? BdfForm::ida : BdfForm::cvode,
                         c.dynamics.max_order);
     set_out(*sensitivity, by->of_start(), recorder.restart());

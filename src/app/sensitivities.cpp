@@ -12,6 +12,7 @@ namespace sundrape {
 
 Sensitivities::Sensitivities(const Case& c, const CaseModel& model)
     : model_(model), statics_(*model.system, neutral_frequency(model)) {
+  if (model.has_friction()) exact_ = build_model(c, FrictionMatrix::tangent);
   for (const auto& p : c.sensitivities) {
     const double size = std::abs(p.value), change = ParameterDerivative::relative_change * size;
     for (const double value : {p.value - change, p.value + change})
@@ -45,6 +46,7 @@ std::vector<ParameterDerivative*> Sensitivities::derivatives() {
 std::vector<const CaseModel*> Sensitivities::models() const {
   std::vector<const CaseModel*> all;
   for (const auto& p : parameters_) all.insert(all.end(), {&p.lower, &p.upper});
+  if (exact_) all.push_back(&*exact_);
   return all;
 }
 
