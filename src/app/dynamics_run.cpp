@@ -173,9 +173,9 @@ class Watch final : public DynamicsObserver {
   void attach(const ForwardSensitivity& sensitivity) { sensitivity_ = &sensitivity; }
 
   void frame(const State& all, const EnergyAudit::Balance& balance) override {
-    recorder_.frame(all, balance, std::nullopt, std::nullopt,
-                    sensitivity_ ? recorder_.sensitivities()->of_motion(*sensitivity_, all.time)
-                                 : std::vector<FrameSensitivity>{});
+    recorder_.frame(
+        all, balance, std::nullopt, std::nullopt,
+        sensitivity_ ? recorder_.sensitivities()->of_motion(*sensitivity_, all.time) : std::vector<FrameSensitivity>{});
     last_frame_ = all.time;
     if (case_.contact.self && recorder_.first_crossing() && !mishap_)
       tangle_ =

@@ -116,7 +116,8 @@ LeastSquaresPoint FitMeasures::compare(const ResultReader& result) const {
       point.residuals[row] = reading.difference / reading.deviation;
       for (Eigen::Index p = 0; p < parameters; ++p) {
         double change = 0;
-        for (const auto& part : reading.parts) change += part.weight * derivatives[static_cast<std::size_t>(p)][part.entry];
+        for (const auto& part : reading.parts)
+          change += part.weight * derivatives[static_cast<std::size_t>(p)][part.entry];
         point.jacobian(row, p) = -change / reading.deviation;
       }
       ++row;

@@ -12,7 +12,7 @@ namespace sundrape {
 namespace {
 
 constexpr double strong_correlation = 0.95;
-constexpr double untold = 1;           // standard error over the value
+constexpr double untold = 1;              // standard error over the value
 constexpr double nearly_singular = 1e-8;  // reciprocal condition of the scaled normal equations
 
 std::vector<std::string> doubts(const Fit& fit, const FitOutcome& outcome) {
@@ -35,15 +35,17 @@ std::vector<std::string> doubts(const Fit& fit, const FitOutcome& outcome) {
                                        u.correlation(i, static_cast<Eigen::Index>(l))));
   }
   if (u.reciprocal_condition < nearly_singular)
-    warnings.push_back(fmt::format("a combination of the parameters changes nothing that was measured (reciprocal "
-                                   "condition {:.1g}): measure something else too, or fix one of them",
-                                   u.reciprocal_condition));
+    warnings.push_back(
+        fmt::format("a combination of the parameters changes nothing that was measured (reciprocal "
+                    "condition {:.1g}): measure something else too, or fix one of them",
+                    u.reciprocal_condition));
   if (!u.by_residuals)
     warnings.emplace_back("as many numbers as parameters: intervals go by the standard deviations as given");
   if (u.by_residuals && u.residual_variance > 4)
-    warnings.push_back(fmt::format("the residuals are {:.2g} times the standard deviations given: the model misses the "
-                                   "data, or these are too small",
-                                   std::sqrt(u.residual_variance)));
+    warnings.push_back(
+        fmt::format("the residuals are {:.2g} times the standard deviations given: the model misses the "
+                    "data, or these are too small",
+                    std::sqrt(u.residual_variance)));
   return warnings;
 }
 
@@ -95,8 +97,8 @@ std::string fit_text(const Fit& fit, const FitOutcome& outcome) {
   for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
     const auto& e = outcome.estimates[k];
     const auto& p = fit.parameters[k].parameter;
-    fmt::format_to(out, "  {:<32} {:>13.6g} {:>7.2g} %   {:.6g} to {:.6g} {}\n", p.key, e.value,
-                   100 * e.relative_error, e.low, e.high, p.unit == "1" ? "" : p.unit);
+    fmt::format_to(out, "  {:<32} {:>13.6g} {:>7.2g} %   {:.6g} to {:.6g} {}\n", p.key, e.value, 100 * e.relative_error,
+                   e.low, e.high, p.unit == "1" ? "" : p.unit);
   }
   if (fit.parameters.size() > 1) {
     text += "  correlation\n";

@@ -138,7 +138,9 @@ ExitStatus run_fit(const FitOptions& options) {
   using End = LeastSquaresResult::End;
   if (end == End::converged) return ExitStatus::done;
   fmt::print(stderr, "{}: the search {}; fit.json has the best values so far\n", options.fit_file.string(),
-             end == End::stopped ? "was interrupted" : end == End::stalled ? "stalled" : "ran out of iterations");
+             end == End::stopped   ? "was interrupted"
+             : end == End::stalled ? "stalled"
+                                   : "ran out of iterations");
   return end == End::stopped ? ExitStatus::interrupted : ExitStatus::failed;
 }
 

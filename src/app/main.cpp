@@ -195,7 +195,8 @@ class CommandLine {
   }
 
   void add_fit() {
-    auto* verb = app_.add_subcommand("fit", "Identify numbers of a case, such as a bending rigidity, from measurements");
+    auto* verb =
+        app_.add_subcommand("fit", "Identify numbers of a case, such as a bending rigidity, from measurements");
     verb->add_option("FIT", fit_.fit_file, "fit file (TOML)")->required();
     verb->add_option("-o,--output", fit_.folder, "folder of the results; default: the fit's name");
     verb->add_option("--threads", fit_.threads, "threads for assembly")->check(CLI::Range(1, 1024));

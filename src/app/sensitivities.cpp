@@ -17,8 +17,9 @@ Sensitivities::Sensitivities(const Case& c, const CaseModel& model)
     const double size = std::abs(p.value), change = ParameterDerivative::relative_change * size;
     for (const double value : {p.value - change, p.value + change})
       if (!p.range.contains(value))
-        throw CaseError(p.source, fmt::format("'{}' is {:.10g}, at the edge of {}: a derivative needs room on both sides",
-                                              p.key, p.value, p.range.text()));
+        throw CaseError(p.source,
+                        fmt::format("'{}' is {:.10g}, at the edge of {}: a derivative needs room on both sides", p.key,
+                                    p.value, p.range.text()));
     Parameter made{size, build_model(with_parameter(c, p, p.value - change)),
                    build_model(with_parameter(c, p, p.value + change)), nullptr};
     try {

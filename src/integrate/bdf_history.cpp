@@ -16,7 +16,8 @@ BdfHistory::Weights BdfHistory::weights(int order, double time, double alpha, do
   const bool with_rate = form_ == BdfForm::cvode;
   const int wanted = with_rate ? order : order + 1;
   const int values = std::min(wanted, static_cast<int>(times_.size())), size = values + (with_rate ? 1 : 0);
-  // π(t) = Σ a_j x^j with x = (t − t_newest)/h: its coefficients from the conditions, then its value and slope at `time`
+  // π(t) = Σ a_j x^j with x = (t − t_newest)/h: its coefficients from the conditions, then its value and slope at
+  // `time`
   Eigen::MatrixXd conditions = Eigen::MatrixXd::Zero(size, size);
   for (int i = 0; i < values; ++i)
     for (int j = 0; j < size; ++j)

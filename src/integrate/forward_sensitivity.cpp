@@ -91,8 +91,8 @@ void ForwardSensitivity::step(const StepReport& report, const State& all) {
     right_side_ = by_parameter_;
     const auto& mass_change = parameters_[k]->row_mass();
     for (int r = 0; r < unknowns.rows(); ++r)
-      point(right_side_, r) += mass[r] * (g.segment<3>(n + 3 * r) + c * g.segment<3>(3 * r)) -
-                               mass_change[r] * point(acceleration_, r);
+      point(right_side_, r) +=
+          mass[r] * (g.segment<3>(n + 3 * r) + c * g.segment<3>(3 * r)) - mass_change[r] * point(acceleration_, r);
     add_damping_product(all, g.head(n), right_side_);
     unknowns.clear_held(right_side_);
     // the prediction is good to some digits, which then need not be solved for

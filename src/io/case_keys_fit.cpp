@@ -47,7 +47,8 @@ Section top() {
 
 Section parameter() {
   const auto quantity = [](std::string name, std::string note, std::string doc) {
-    return Key{.name = std::move(name), .type = KeyType::quantity, .default_note = std::move(note), .doc = std::move(doc)};
+    return Key{
+        .name = std::move(name), .type = KeyType::quantity, .default_note = std::move(note), .doc = std::move(doc)};
   };
   return {
       .name = "parameter",
@@ -66,8 +67,9 @@ Section parameter() {
                .type = KeyType::choice,
                .choices = {"auto", "log", "linear"},
                .default_value = "\"auto\"",
-               .doc = "Whether the search and the interval are in the parameter's logarithm or in the parameter itself; "
-                      "`auto`: the logarithm where values must be positive."},
+               .doc =
+                   "Whether the search and the interval are in the parameter's logarithm or in the parameter itself; "
+                   "`auto`: the logarithm where values must be positive."},
           },
   };
 }

@@ -19,7 +19,8 @@ namespace {
 
 /// Numbers of a line of a table; none of a heading.
 std::vector<double> numbers_of(std::string line) {
-  std::ranges::replace_if(line, [](char c) { return c == ',' || c == ';' || c == '\t'; }, ' ');
+  std::ranges::replace_if(
+      line, [](char c) { return c == ',' || c == ';' || c == '\t'; }, ' ');
   std::istringstream text(line);
   std::vector<double> numbers;
   for (double number = 0; text >> number;) numbers.push_back(number);
@@ -35,7 +36,8 @@ std::vector<MeasuredCurve::Point> read_points(const std::filesystem::path& file,
     const auto values = numbers_of(line);
     if (values.empty()) continue;
     if (values.size() < 2 || values.size() > 3)
-      throw CaseError(file.string(), number, "", fmt::format("two or three numbers are expected, not {}", values.size()));
+      throw CaseError(file.string(), number, "",
+                      fmt::format("two or three numbers are expected, not {}", values.size()));
     const double own = values.size() == 3 ? unit * values[2] : deviation;
     if (!(own > 0)) throw CaseError(file.string(), number, "", fmt::format("a standard deviation of {} m", own));
     points.push_back({unit * values[0], unit * values[1], own});
@@ -75,7 +77,8 @@ std::optional<double> resolve_time(const CaseSection& section, const Case& resol
   const auto& times = resolved.analysis == Analysis::dynamics ? resolved.output.frame_times : resolved.relaxation.times;
   const double end = times.empty() ? 0 : times.back();
   if (std::ranges::none_of(times, [&](double t) { return std::abs(t - *time) <= 1e-9 * end; }))
-    section.fail("time", fmt::format("the run has no frame at {:.10g} s: see output.every, or relaxation.times", *time));
+    section.fail("time",
+                 fmt::format("the run has no frame at {:.10g} s: see output.every, or relaxation.times", *time));
   return time;
 }
 
@@ -152,8 +155,8 @@ Fit read_fit(const std::filesystem::path& file) {
     fit.measured.push_back(resolve_measured(section, resolved, folder));
   if (fit.parameters.empty()) top.fail("parameter", "a fit needs a parameter: write [[parameter]]");
   if (fit.numbers() < fit.parameters.size())
-    top.fail("measured", fmt::format("{} measured numbers cannot tell {} parameters", fit.numbers(),
-                                     fit.parameters.size()));
+    top.fail("measured",
+             fmt::format("{} measured numbers cannot tell {} parameters", fit.numbers(), fit.parameters.size()));
   return fit;
 }
 

@@ -203,7 +203,8 @@ void ResultWriter::append_frame(const Frame& frame) {
     const auto& by = frame.sensitivities.empty() ? FrameSensitivity{unknown, unknown} : frame.sensitivities[k];
     add(entries(by.position));
     if (header.rate_sensitivities) add(entries(by.velocity));
-    for (const auto& probe : header.probes) add(entries(by.position).subspan(3 * static_cast<std::size_t>(probe.node), 3));
+    for (const auto& probe : header.probes)
+      add(entries(by.position).subspan(3 * static_cast<std::size_t>(probe.node), 3));
   }
   file.commit();
 }

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/sample_cases.hpp"
 #include "sundrape/app/solver_choice.hpp"
 #include "sundrape/io/case_parameter.hpp"
+
+#include "app/sample_cases.hpp"
 
 namespace sundrape {
 namespace {
@@ -67,16 +68,14 @@ acceleration = [0, 0, -9.80665]
 
 TEST(StaticSensitivity, OfACantilever) {
   for (const char* model : {"particle", "shell"})
-    expect_derivatives_of_equilibrium(
-        strip("[[fix]]\nnodes = \"left\"\n", model),
-        R"("material.bending.rigidity", "material.weight", "load.0.acceleration.2")");
+    expect_derivatives_of_equilibrium(strip("[[fix]]\nnodes = \"left\"\n", model),
+                                      R"("material.bending.rigidity", "material.weight", "load.0.acceleration.2")");
 }
 
 TEST(StaticSensitivity, OfACatenary) {
-  expect_derivatives_of_equilibrium(
-      strip("[[fix]]\nnodes = \"left\"\ncomponents = [\"x\", \"y\", \"z\"]\n"
-            "[[fix]]\nnodes = \"right\"\ncomponents = [\"x\", \"y\", \"z\"]\n"),
-      R"("material.youngs_modulus", "material.weight", "material.bending.rigidity")");
+  expect_derivatives_of_equilibrium(strip("[[fix]]\nnodes = \"left\"\ncomponents = [\"x\", \"y\", \"z\"]\n"
+                                          "[[fix]]\nnodes = \"right\"\ncomponents = [\"x\", \"y\", \"z\"]\n"),
+                                    R"("material.youngs_modulus", "material.weight", "material.bending.rigidity")");
 }
 
 TEST(StaticSensitivity, OfAStripOverTheEdgeOfATable) {
@@ -126,8 +125,8 @@ TEST(StaticSensitivity, OfWhereASupportIs) {
 TEST(StaticSensitivity, RefusesWhatIsNoContinuousNumber) {
   const auto problem = [](const std::string& key) -> std::string {
     try {
-      const Case c = parse_case(strip("[[fix]]\nnodes = \"left\"\n") + "[sensitivity]\nparameters = [\"" + key + "\"]\n",
-                                "CASE.toml");
+      const Case c = parse_case(
+          strip("[[fix]]\nnodes = \"left\"\n") + "[sensitivity]\nparameters = [\"" + key + "\"]\n", "CASE.toml");
       const auto model = build_model(c);
       Sensitivities sensitivities(c, model);
       return "none";

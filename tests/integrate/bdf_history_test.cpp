@@ -53,7 +53,8 @@ double worst_rate(BdfForm form, int max_order) {
 
 TEST(BdfHistory, SaysTheRatesThatTheIntegratorsFind) {
   for (const auto form : {BdfForm::cvode, BdfForm::ida})
-    for (const int order : {1, 2, 4}) EXPECT_LT(worst_rate(form, order), 1e-7) << static_cast<int>(form) << ' ' << order;
+    for (const int order : {1, 2, 4})
+      EXPECT_LT(worst_rate(form, order), 1e-7) << static_cast<int>(form) << ' ' << order;
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ struct LeastSquaresStep {
 };
 
 struct LeastSquaresOptions {
-  Vector lower, upper;    // bounds of θ, p
-  Vector scale;           // sizes of θ, p
+  Vector lower, upper;  // bounds of θ, p
+  Vector scale;         // sizes of θ, p
   double tolerance = 1e-2;
   int max_iterations = 30;
 };
@@ -45,17 +45,18 @@ struct LeastSquaresResult {
 /// @param evaluate  nothing where the model has no answer: the step is tried again, shorter
 /// @param observe   after every try; false stops the search
 /// @throws std::runtime_error  the model has no answer at the start
-[[nodiscard]] LeastSquaresResult minimise(const Vector& start, const LeastSquaresOptions& options,
-                                          const std::function<std::optional<LeastSquaresPoint>(const Vector&)>& evaluate,
-                                          const std::function<bool(const LeastSquaresStep&)>& observe);
+[[nodiscard]] LeastSquaresResult minimise(
+    const Vector& start, const LeastSquaresOptions& options,
+    const std::function<std::optional<LeastSquaresPoint>(const Vector&)>& evaluate,
+    const std::function<bool(const LeastSquaresStep&)>& observe);
 
 /// What a solution says about its parameters.
 struct LeastSquaresUncertainty {
-  Vector standard_error;        // of θ, p; infinite for a parameter that the data do not tell
-  Eigen::MatrixXd correlation;  // p × p
-  double quantile = 0;          // standard errors from the value to the interval's ends
-  double residual_variance = 1; // s²: χ²/(n − p), or 1 where n = p
-  bool by_residuals = false;    // whether s² is that of the residuals, rather than the standard deviations as given
+  Vector standard_error;         // of θ, p; infinite for a parameter that the data do not tell
+  Eigen::MatrixXd correlation;   // p × p
+  double quantile = 0;           // standard errors from the value to the interval's ends
+  double residual_variance = 1;  // s²: χ²/(n − p), or 1 where n = p
+  bool by_residuals = false;     // whether s² is that of the residuals, rather than the standard deviations as given
   double reciprocal_condition = 0;  // of JᵀJ with unit diagonal
 };
 

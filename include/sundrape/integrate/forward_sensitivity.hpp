@@ -45,10 +45,10 @@ class ForwardSensitivity {
   CondensedNewton condensed_;
   std::vector<ParameterDerivative*> parameters_;
   BdfHistory history_;
-  std::vector<BdfHistory::Past> past_;            // one a parameter, 6n
+  std::vector<BdfHistory::Past> past_;                                                    // one a parameter, 6n
   Vector rows_q_, rows_v_, acceleration_, right_side_, by_parameter_, s_, product_rows_;  // 3n
-  Vector shifted_, force_, product_;              // 3P
-  mutable Vector supports_q_, supports_v_;        // 3P
+  Vector shifted_, force_, product_;                                                      // 3P
+  mutable Vector supports_q_, supports_v_;                                                // 3P
   long linear_iterations_ = 0;
 };
 

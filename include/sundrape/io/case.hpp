@@ -330,9 +330,9 @@ struct Case {
   ArcLengthCase arc_length;
   OutputCase output;
   std::vector<ParameterCase> sensitivities;  // what the run is differentiated by
-  std::filesystem::path file;  // the case file; relative paths inside it count from its folder
-  std::string text;            // the TOML as run, --set included
-  std::string inputs;          // fingerprints of the other files that it reads: mesh, start
+  std::filesystem::path file;                // the case file; relative paths inside it count from its folder
+  std::string text;                          // the TOML as run, --set included
+  std::string inputs;                        // fingerprints of the other files that it reads: mesh, start
 
   /// The first piece: the sheet, of most cases.
   [[nodiscard]] const PieceCase& sheet() const { return pieces.front(); }

@@ -114,14 +114,14 @@ struct Frame {
   Vector energy_density;      // N, what the cloth stores by its deformation over its area [J/m²]; may be empty: zeros
   ElementFields elements;     // where the header says so
   FrameEnergies energies;
-  double residual = 0;                  // |out-of-balance force| / |external force|
-  int negative_pivots = -1;             // of the tangent; −1: not evaluated
-  double penetration = 0;               // deepest, into an obstacle or of cloth into cloth [m]
-  std::int64_t crossings = 0;           // pairs of triangles of the cloth that intersect
-  std::vector<Vector3> reactions;       // force that the cloth exerts on each reaction set [N]
-  std::vector<Vector3> moments;         // its moment about the mean position of the set's nodes [N m]
+  double residual = 0;                          // |out-of-balance force| / |external force|
+  int negative_pivots = -1;                     // of the tangent; −1: not evaluated
+  double penetration = 0;                       // deepest, into an obstacle or of cloth into cloth [m]
+  std::int64_t crossings = 0;                   // pairs of triangles of the cloth that intersect
+  std::vector<Vector3> reactions;               // force that the cloth exerts on each reaction set [N]
+  std::vector<Vector3> moments;                 // its moment about the mean position of the set's nodes [N m]
   std::vector<FrameSensitivity> sensitivities;  // one a parameter of the header; may be empty: NaN, not known
-  std::vector<ObstaclePose> obstacles;  // one an obstacle of the header; may be empty: as there, without forces
+  std::vector<ObstaclePose> obstacles;          // one an obstacle of the header; may be empty: as there, without forces
 };
 
 /// Where an equilibrium path has a limit point or forks.

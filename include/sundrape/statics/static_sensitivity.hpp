@@ -9,7 +9,8 @@ namespace sundrape {
 /// one solve a parameter by a factor of the tangent at the equilibrium, contact included.
 class StaticSensitivity {
  public:
-  StaticSensitivity(const System& system, double neutral_frequency) : system_(system), tangent_(system, neutral_frequency) {}
+  StaticSensitivity(const System& system, double neutral_frequency)
+      : system_(system), tangent_(system, neutral_frequency) {}
 
   /// Factors the tangent at an equilibrium; false where it is singular.
   [[nodiscard]] bool move_to(const State& equilibrium);

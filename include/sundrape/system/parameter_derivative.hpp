@@ -35,9 +35,9 @@ class ParameterDerivative {
 
   const System &lower_, &upper_;
   Vector row_mass_;
-  Vector rows_q_, rows_v_;                       // 3n
+  Vector rows_q_, rows_v_;                        // 3n
   Vector lower_q_, lower_v_, upper_q_, upper_v_;  // 3P
-  Vector lower_f_, upper_f_, sum_;               // 3P
+  Vector lower_f_, upper_f_, sum_;                // 3P
 };
 
 }  // namespace sundrape
