@@ -82,6 +82,30 @@ class SensitivityTest(CommandLineTest):
         self.assert_derivatives(case, {"material.youngs_modulus": 1e6, "material.density_area": 0.2},
                                 "dynamics.max_step=2e-5", "dynamics.first_step=2e-5")
 
+    def test_of_equilibria_under_a_load_and_between_hands(self):
+        """At the end of an equilibrium path, and where supports have moved: against differences of whole solutions."""
+        strip = STRIP.replace('analysis = "dynamics"', 'analysis = "relaxation"')
+        hands = ('[[motion]]\nnodes = "right"\ncomponents = ["x", "y", "z"]\n'
+                 'path = { kind = "line", by = ["-3 cm", 0, "1 cm"], duration = "1 s" }\n[relaxation]\ntimes = [0.5, 1]\n'
+                 'tolerance = 1e-9\n')
+        pulled = (CASES / "cantilever_tip_force.toml").read_text().replace('"relaxation"', '"arc-length"')
+        for case, parameters in [(pulled + '["arc-length"]\ntolerance = 1e-7\n',
+                                  {"material.youngs_modulus": 10, "load.0.total.2": 3.4641016151377544e-8}),
+                                 (strip + hands, {"material.density_area": 0.2, "motion.0.path.by.2": 0.01})]:
+            self.write("CASE.toml", case)
+            change = 1e-3
+            with self.frames("s.h5", f"sensitivity.parameters={list(parameters)}") as f:
+                found = {key: f["sensitivity"][key]["position"][:] for key in parameters}
+            for key, value in parameters.items():
+                ends = []
+                for factor in (1 - change, 1 + change):
+                    with self.frames("d.h5", f"{key}={value * factor:.17g}") as f:
+                        ends.append(f["frames/position"][-1])
+                expected = (ends[1] - ends[0]) / (2 * change * value)
+                with self.subTest(key=key):
+                    self.assertTrue(np.isfinite(found[key][-2:]).all())
+                    self.assertLess(np.abs(found[key][-1] - expected).max() / np.abs(expected).max(), 1e-4)
+
     def test_results_say_what_they_hold(self):
         self.write("CASE.toml", STRIP)
         with self.frames("s.h5", 'sensitivity.parameters=["material.youngs_modulus"]') as f:
