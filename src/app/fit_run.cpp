@@ -128,8 +128,19 @@ ExitStatus run_fit(const FitOptions& options) {
     }
     return !runner.interrupted();
   };
-  auto search = minimise(
-      start_of(fit), search_options(fit), [&](const Vector& at) { return runner.evaluate(at); }, observe);
+  const auto interrupted = [&](const char* what) {
+    fmt::print(stderr, "{}: interrupted; {}\n", options.fit_file.string(), what);
+    return ExitStatus::interrupted;
+  };
+  LeastSquaresResult search;
+  try {
+    search = minimise(
+        start_of(fit), search_options(fit), [&](const Vector& at) { return runner.evaluate(at); }, observe);
+  } catch (const std::runtime_error&) {  // no answer at the start
+    runner.clear();
+    if (runner.interrupted()) return interrupted("the first run was not over");
+    throw;
+  }
   runner.clear();
   const auto end = search.end;
   const auto outcome = fit_outcome(fit, std::move(search));
@@ -137,11 +148,10 @@ ExitStatus run_fit(const FitOptions& options) {
   if (!quiet) std::cout << fit_text(fit, outcome);
   using End = LeastSquaresResult::End;
   if (end == End::converged) return ExitStatus::done;
+  if (end == End::stopped) return interrupted("fit.json has the best values so far");
   fmt::print(stderr, "{}: the search {}; fit.json has the best values so far\n", options.fit_file.string(),
-             end == End::stopped   ? "was interrupted"
-             : end == End::stalled ? "stalled"
-                                   : "ran out of iterations");
-  return end == End::stopped ? ExitStatus::interrupted : ExitStatus::failed;
+             end == End::stalled ? "stalled" : "ran out of iterations: raise max_iterations, or start nearer");
+  return ExitStatus::failed;
 }
 
 }  // namespace sundrape

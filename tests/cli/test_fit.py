@@ -128,6 +128,13 @@ class FitTest(CommandLineTest):
         self.assertGreater(abs(found["correlation"][0][1]), 0.99)
         self.assertTrue(any("correlated" in w or "combination" in w for w in found["warnings"]), found["warnings"])
 
+    def test_what_has_not_converged_fails_with_what_it_has(self):
+        self.write("CASE.toml", CANTILEVER)
+        np.savetxt(self.folder / "points.csv", 100 * self.profile(), delimiter=",")
+        run = self.fit("max_iterations = 2\n" + FIT + CURVE, status=1)
+        self.assertIn("ran out of iterations", run.stderr)
+        self.assertEqual(json.loads((self.folder / "fit" / "fit.json").read_text())["runs"], 2)
+
     def test_what_is_wrong_is_said_with_its_line(self):
         self.write("CASE.toml", CANTILEVER)
         self.write("points.csv", "1 2\n3 x\n")
