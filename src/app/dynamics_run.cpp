@@ -13,6 +13,7 @@
 #include "sundrape/integrate/dynamics.hpp"
 #include "sundrape/integrate/impact.hpp"
 #include "sundrape/integrate/stability_limit.hpp"
+#include "sundrape/io/file_error.hpp"
 
 namespace sundrape {
 namespace {
@@ -99,6 +100,59 @@ std::vector<double> as_list(const IntegratorStatistics& s) {
   return list;
 }
 
+/// Sensitivities at a state, as a checkpoint keeps them: coordinates' and rates', parameter by parameter.
+std::vector<double> listed(const ForwardSensitivity& sensitivity, const State& all) {
+  std::vector<double> list;
+  Vector s(all.q.size()), s_dot(all.q.size());
+  for (std::size_t k = 0; k < sensitivity.parameters(); ++k) {
+    sensitivity.at(all.time, k, s, s_dot);
+    list.insert(list.end(), s.begin(), s.end());
+    list.insert(list.end(), s_dot.begin(), s_dot.end());
+  }
+  return list;
+}
+
+/// Where sensitivities begin: with the case's start, or where a checkpoint left them.
+void set_out(ForwardSensitivity& sensitivity, const std::vector<Vector>& of_start,
+             const std::optional<Recorder::Restart>& restart) {
+  auto q = of_start;
+  std::vector<Vector> v;
+  for (const auto& s : of_start) v.emplace_back(Vector::Zero(s.size()));
+  if (restart) {
+    const auto size = of_start.front().size();
+    if (restart->sensitivities.size() != 2 * q.size() * static_cast<std::size_t>(size))
+      throw FileError("the checkpoint holds no sensitivities, or those by other parameters: it cannot be resumed");
+    const double* next = restart->sensitivities.data();
+    for (std::size_t k = 0; k < q.size(); ++k)
+      for (auto* s : {&q[k], &v[k]}) {
+        *s = Eigen::Map<const Vector>(next, size);
+        next += size;
+      }
+  }
+  sensitivity.set(q, v);
+}
+
+/// The case's own timetable, followed by the models around it.
+class SharedSchedule final : public Timetable {
+ public:
+  SharedSchedule(SupportSchedule& own, const std::vector<const CaseModel*>& others) : own_(own) {
+    for (const auto* model : others) others_.emplace_back(*model);
+  }
+  [[nodiscard]] double next() const override { return own_.next(); }
+  void happen(const State& all) override {
+    own_.happen(all);
+    for (auto& other : others_) other.happen(all);
+  }
+  void resume(const std::vector<double>& progress, const State& all) {
+    own_.resume(progress, all);
+    for (auto& other : others_) other.resume(progress, all);
+  }
+
+ private:
+  SupportSchedule& own_;
+  std::vector<SupportSchedule> others_;
+};
+
 class Watch final : public DynamicsObserver {
  public:
   Watch(const Case& c, const CaseModel& model, const Integrator& integrator, const SupportSchedule& schedule,
@@ -116,9 +170,12 @@ class Watch final : public DynamicsObserver {
   }
 
   void attach(Dynamics& dynamics) { dynamics_ = &dynamics; }
+  void attach(const ForwardSensitivity& sensitivity) { sensitivity_ = &sensitivity; }
 
   void frame(const State& all, const EnergyAudit::Balance& balance) override {
-    recorder_.frame(all, balance);
+    recorder_.frame(
+        all, balance, std::nullopt, std::nullopt,
+        sensitivity_ ? recorder_.sensitivities()->of_motion(*sensitivity_, all.time) : std::vector<FrameSensitivity>{});
     last_frame_ = all.time;
     if (case_.contact.self && recorder_.first_crossing() && !mishap_)
       tangle_ =
@@ -162,7 +219,8 @@ class Watch final : public DynamicsObserver {
   void checkpoint() {
     const auto at = dynamics_->last();
     recorder_.checkpoint(at, dynamics_->audit().at(at), dynamics_->audit().initial_energy(), last_step_size_,
-                         as_list(since_the_start(integrator_.statistics(), recorder_.restart())), schedule_.progress());
+                         as_list(since_the_start(integrator_.statistics(), recorder_.restart())), schedule_.progress(),
+                         sensitivity_ ? listed(*sensitivity_, at) : std::vector<double>{});
     checkpoint_written_ = true;
     last_checkpoint_ = Clock::now();
   }
@@ -180,6 +238,7 @@ class Watch final : public DynamicsObserver {
   Recorder& recorder_;
   Progress& progress_;
   Dynamics* dynamics_ = nullptr;
+  const ForwardSensitivity* sensitivity_ = nullptr;
   Mishaps mishaps_;
   std::optional<std::string> mishap_, tangle_;
   double fastest_creep_ = 0;
@@ -222,8 +281,19 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
   const auto integrator = make_integrator(c, model, impact.get(), recorder, progress);
   SupportSchedule schedule(model);
   Watch watch(c, model, *integrator, schedule, recorder, progress);
-  Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get(), &schedule);
+  auto* by = recorder.sensitivities();
+  SharedSchedule timetable(schedule, by ? by->models() : std::vector<const CaseModel*>{});
+  Dynamics dynamics(*model.system, *integrator, c.output.frame_times, watch, impact.get(), &timetable);
   watch.attach(dynamics);
+  std::optional<ForwardSensitivity> sensitivity;
+  if (by != nullptr) {
+    sensitivity.emplace(by->exact_system(), sensitivity_solver(c), by->derivatives(),
+                        c.dynamics.integrator == IntegratorKind::ida ? BdfForm::ida : BdfForm::cvode,
+                        c.dynamics.max_order);
+    set_out(*sensitivity, by->of_start(), recorder.restart());
+    dynamics.carry(*sensitivity);
+    watch.attach(*sensitivity);
+  }
 
   AnalysisEnd end;
   bool failed = false;
@@ -231,7 +301,7 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
     DynamicsEnd how = DynamicsEnd::reached;
     if (const auto& restart = recorder.restart()) {
       progress.say(fmt::format("resuming at t = {:.6g} s after {} frames", restart->time, recorder.frames()));
-      schedule.resume(restart->schedule, {restart->time, restart->q, restart->v});
+      timetable.resume(restart->schedule, {restart->time, restart->q, restart->v});
       dynamics.carry_over(restart->balance, restart->initial_energy);
       how = dynamics.run(restart->time, restart->q, restart->v, false);
     } else {
@@ -265,6 +335,13 @@ AnalysisEnd run_dynamics(const Case& c, const CaseModel& model, Recorder& record
   if (model.has_friction())
     recorder.statistic("fastest_creep_m_per_s", watch.fastest_creep(),
                        "of the contact points that friction holds, at the end [m/s]");
+  if (sensitivity) {
+    const auto& s = sensitivity->counters();
+    recorder.statistic("sensitivity_linear_iterations", static_cast<std::int64_t>(sensitivity->linear_iterations()),
+                       "iterations of the linear solver for sensitivities");
+    recorder.statistic("sensitivity_matrix_seconds", s.assembly_seconds + s.factor_seconds,
+                       "wall-clock time in the matrices of sensitivities [s]");
+  }
   record_statistics(since_the_start(integrator->statistics(), recorder.restart()), dynamics.audit().at(last), recorder);
   return end;
 }

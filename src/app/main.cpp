@@ -7,6 +7,7 @@
 
 #include "sundrape/app/check.hpp"
 #include "sundrape/app/crosscheck.hpp"
+#include "sundrape/app/fit_run.hpp"
 #include "sundrape/app/run.hpp"
 #include "sundrape/app/study_run.hpp"
 #include "sundrape/export/export_result.hpp"
@@ -38,6 +39,7 @@ class CommandLine {
     add_export();
     add_study();
     add_crosscheck();
+    add_fit();
   }
 
   int main(int argc, char** argv) {
@@ -192,10 +194,24 @@ class CommandLine {
     });
   }
 
+  void add_fit() {
+    auto* verb =
+        app_.add_subcommand("fit", "Identify numbers of a case, such as a bending rigidity, from measurements");
+    verb->add_option("FIT", fit_.fit_file, "fit file (TOML)")->required();
+    verb->add_option("-o,--output", fit_.folder, "folder of the results; default: the fit's name");
+    verb->add_option("--threads", fit_.threads, "threads for assembly")->check(CLI::Range(1, 1024));
+    verb->add_flag("--quiet", quiet_, "print nothing but errors");
+    verb->callback([this] {
+      if (quiet_) fit_.verbosity = sundrape::Verbosity::quiet;
+      status_ = sundrape::run_fit(fit_);
+    });
+  }
+
   CLI::App app_{"sundrape integrates cloth in time as the mechanical system it is", "sundrape"};
   sundrape::RunOptions run_;
   sundrape::StudyOptions study_;
   sundrape::CrosscheckOptions crosscheck_;
+  sundrape::FitOptions fit_;
   sundrape::ExportOptions export_;
   std::string a_, b_;
   bool json_ = false, quiet_ = false, verbose_ = false;

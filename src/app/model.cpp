@@ -144,14 +144,15 @@ std::vector<double> thicknesses(const Case& c, const CaseModel& model) {
   return of_nodes;
 }
 
-void add_cloth_contact(const Case& c, const Cloth& cloth, CaseModel& model, Terms& terms) {
+void add_cloth_contact(const Case& c, const Cloth& cloth, FrictionMatrix friction, CaseModel& model, Terms& terms) {
   if (!c.contact.self) return;
   constexpr double not_neighbours = 2;  // thicknesses: a fold as sharp as it can be, π/2 along the sheet, is none
   auto term = std::make_unique<ClothContact>(
       ClothPairs(model.mesh, thicknesses(c, model), not_neighbours),
       ContactLaw(contact_stiffness(c, cloth, model.area_weight), c.contact.smoothing),
       ClothContactOptions{.friction = c.analysis == Analysis::dynamics ? c.contact.friction : 0,
-                          .friction_law = FrictionLaw(c.contact.friction_speed)});
+                          .friction_law = FrictionLaw(c.contact.friction_speed),
+                          .friction_matrix = friction});
   model.cloth_contact = term.get();
   terms.push_back(std::move(term));
 }
@@ -178,7 +179,7 @@ void require_untangled(const Case& c, const CaseModel& model) {
                   found.size(), pairs, found.size() > most_named ? ", ..." : "", place.x(), place.y(), place.z()));
 }
 
-void add_contact(const Case& c, const Cloth& cloth, CaseModel& model, Terms& terms) {
+void add_contact(const Case& c, const Cloth& cloth, FrictionMatrix friction, CaseModel& model, Terms& terms) {
   if (c.obstacles.empty()) return;
   std::vector<ContactBody> bodies;
   for (const auto& obstacle : c.obstacles) {
@@ -190,7 +191,7 @@ void add_contact(const Case& c, const Cloth& cloth, CaseModel& model, Terms& ter
   auto term =
       std::make_unique<ObstacleContact>(std::move(bodies), contact_points(model.mesh, c.contact.subdivision),
                                         ContactLaw(contact_stiffness(c, cloth, model.area_weight), c.contact.smoothing),
-                                        FrictionLaw(c.contact.friction_speed));
+                                        FrictionLaw(c.contact.friction_speed), friction);
   model.contact = term.get();
   terms.push_back(std::move(term));
 }
@@ -266,7 +267,7 @@ bool is_wavy_at_rest(const Case& c, const PieceCase& piece) {
 
 double default_waviness(const PieceCase& piece) { return std::min(1e-5, 0.02 * piece.fabric.thickness); }
 
-CaseModel build_model(const Case& c) {
+CaseModel build_model(const Case& c, FrictionMatrix friction) {
   CaseModel model;
   model.has_inertia = c.analysis == Analysis::dynamics;
   const auto cloth = build_cloth(c);
@@ -299,9 +300,9 @@ CaseModel build_model(const Case& c) {
   }
   add_loads(c, model, threads, placed, sheet);
   add_drag(c, model, sheet);
-  add_contact(c, cloth, model, sheet.terms);
+  add_contact(c, cloth, friction, model, sheet.terms);
   model.surface = SheetSurface(model.mesh);
-  add_cloth_contact(c, cloth, model, sheet.terms);
+  add_cloth_contact(c, cloth, friction, model, sheet.terms);
 
   const auto earlier = c.sheet().cloth.start ? start_of(*c.sheet().cloth.start, model.mesh) : ShapeAtRest{placed, {}};
   auto start = c.sheet().cloth.start ? wavy(model.mesh, earlier.positions, c.sheet().cloth.waviness_amplitude,

@@ -37,6 +37,8 @@ ResultHeader header_of(const Case& c, const CaseModel& model, std::vector<StepCo
   h.probes = model.probes;
   h.step_columns = std::move(columns);
   h.obstacles = model.obstacles;
+  for (const auto& p : c.sensitivities) h.sensitivities.push_back({p.key, p.value, p.unit});
+  h.rate_sensitivities = c.analysis == Analysis::dynamics;
   return h;
 }
 
@@ -75,8 +77,10 @@ Recorder::Restart read_restart(const ResultReader& earlier, const std::filesyste
                       .extremes = {},
                       .wall = times.at(0),
                       .cpu = times.at(1),
-                      .schedule = {}};
+                      .schedule = {},
+                      .sensitivities = {}};
   if (const auto found = arrays.find("schedule"); found != arrays.end()) r.schedule = found->second;
+  if (const auto found = arrays.find("sensitivities"); found != arrays.end()) r.sensitivities = found->second;
   if (r.q.size() != size || r.v.size() != size)
     throw FileError(file.string() + ": its checkpoint belongs to another mesh");
   r.balance.dissipated = books.at(0);
@@ -162,7 +166,7 @@ Recorder::Recorder(const Case& c, const CaseModel& model, const Files& files, st
 }
 
 void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots,
-                     std::optional<double> residual) {
+                     std::optional<double> residual, std::vector<FrameSensitivity> derivatives) {
   Frame f;
   f.variable = all.time;
   f.stage = all.stage;
@@ -218,6 +222,12 @@ void Recorder::frame(const State& all, const EnergyAudit::Balance& balance, std:
     extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, sharpest_turn(model_.mesh, model_.directors_of(all.q)));
   for (const auto* bends : model_.bends)
     extremes_.sharpest_bend = std::max(extremes_.sharpest_bend, bends->largest_angle(all.q));
+  f.sensitivities = std::move(derivatives);
+  if (sensitivities_ != nullptr && case_.analysis != Analysis::dynamics && negative_pivots) {
+    f.sensitivities = sensitivities_->at_equilibrium(all);
+    if (f.sensitivities.empty())
+      warn(fmt::format("sensitivities are not known where the tangent is singular, at {:.6g}", all.time));
+  }
   writer_.append_frame(f);
   // load factors may fall, and begin anew with every stage: viewers get the number of the frame
   xdmf_.add_frame(header_.frame_variable == FrameVariable::time ? f.variable
@@ -234,7 +244,8 @@ ContactReport Recorder::step(const State& all) {
 }
 
 void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy,
-                          double step_size, const std::vector<double>& totals, const std::vector<double>& schedule) {
+                          double step_size, const std::vector<double>& totals, const std::vector<double>& schedule,
+                          const std::vector<double>& sensitivities) {
   const auto& e = extremes_;
   Checkpoint c;
   c.arrays = {{"time", {all.time}},
@@ -247,6 +258,7 @@ void Recorder::checkpoint(const State& all, const EnergyAudit::Balance& balance,
                 e.largest_membrane_strain}},
               {"run_seconds", {clock_.wall(), clock_.cpu()}}};
   if (!schedule.empty()) c.arrays["schedule"] = schedule;
+  if (!sensitivities.empty()) c.arrays["sensitivities"] = sensitivities;
   writer_.write_checkpoint(c);
 }
 

@@ -149,6 +149,9 @@ ExitStatus run_case(const RunOptions& options) {
   require_room(options, output);
   const CaseModel model = build_model(c);
 
+  std::optional<Sensitivities> sensitivities;
+  if (!c.sensitivities.empty()) sensitivities.emplace(c, model);
+
   const InterruptGuard guard;
   Recorder recorder(c, model, {output, options.resume}, step_columns(c.analysis),
                     c.analysis == Analysis::dynamics ? c.output.frame_times.size() : 32, clock);
@@ -157,6 +160,7 @@ ExitStatus run_case(const RunOptions& options) {
       if (obstacle.friction > 0)
         recorder.warn(fmt::format("friction acts in dynamics only: '{}' is smooth here", obstacle.name));
   warn_of_rounding(model, recorder);
+  if (sensitivities) recorder.differentiate(*sensitivities);
   AnalysisEnd end;
   nlohmann::json summary;
   {

@@ -6,6 +6,7 @@
 #include "sundrape/integrate/default_tolerances.hpp"
 #include "sundrape/linalg/block_incomplete_cholesky.hpp"
 #include "sundrape/linalg/conjugate_gradients.hpp"
+#include "sundrape/linalg/refined_solver.hpp"
 #include "sundrape/linalg/turning_solver.hpp"
 
 namespace sundrape {
@@ -97,6 +98,12 @@ std::unique_ptr<LinearSolver> dynamics_solver(const Case& c) {
   }
   if (name == "auto") return named(skew ? "lu" : narrow ? "cholesky" : "cg", c.model);
   return named(name, c.model);
+}
+
+std::unique_ptr<LinearSolver> sensitivity_solver(const Case& c) {
+  auto solver = dynamics_solver(c);
+  if (solver->symmetry() == Symmetry::unsymmetric) return solver;
+  return std::make_unique<RefinedSolver>(std::move(solver));
 }
 
 RelaxationOptions relaxation_options(const Case& c, const CaseModel& model) {

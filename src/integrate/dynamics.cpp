@@ -51,6 +51,7 @@ void Dynamics::restart() {
   system_.unknowns().clear_held(rows_v_);
   system_.expand(time_, rows_q_, rows_v_, q_, v_);
   integrator_.start(time_, rows_q_, rows_v_);
+  if (sensitivity_ != nullptr) sensitivity_->restart(time_);
 }
 
 void Dynamics::let_supports_change() {
@@ -83,6 +84,7 @@ DynamicsEnd Dynamics::run(double time, ConstVectorRef q, ConstVectorRef v, bool 
     expand_last();
     if (!q_.allFinite() || !v_.allFinite())
       throw IntegrationFailure(fmt::format("the motion is no longer finite at t = {:.6g} s", time_));
+    if (sensitivity_ != nullptr) sensitivity_->step(report, last());
     audit_->advance(last(), events_ ? events_->dissipated() : 0.0);
     emit_frames(next);
     if (report.event && events_ && events_->happen(time_, q_, v_, integrator_.fired())) {

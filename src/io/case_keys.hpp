@@ -18,6 +18,9 @@ namespace sundrape {
 /// All of study_key_table().
 [[nodiscard]] std::vector<Section> study_keys();
 
+/// All of fit_key_table().
+[[nodiscard]] std::vector<Section> fit_keys();
+
 namespace keys {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();

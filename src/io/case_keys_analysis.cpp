@@ -276,8 +276,23 @@ Section probes() {
       .keys = {{.name = "name", .type = KeyType::name, .required = true, .doc = "In the result; no two alike."}, near}};
 }
 
+Section sensitivity() {
+  return {
+      .name = "sensitivity",
+      .heading = "`[sensitivity]`",
+      .doc = "See [sensitivities.md](sensitivities.md).",
+      .keys = {{.name = "parameters",
+                .type = KeyType::texts,
+                .doc = "Keys of the case, as for `--set`, whose values are continuous numbers: "
+                       "`[\"material.bending.rigidity\", \"obstacle.0.friction\"]`. The result gets the derivatives of "
+                       "all positions, and in dynamics of velocities."}},
+  };
+}
+
 }  // namespace
 
-std::vector<Section> analysis_keys() { return {dynamics(), relaxation(), arc_length(), output(), probes()}; }
+std::vector<Section> analysis_keys() {
+  return {dynamics(), relaxation(), arc_length(), sensitivity(), output(), probes()};
+}
 
 }  // namespace sundrape

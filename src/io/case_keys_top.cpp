@@ -46,6 +46,10 @@ std::vector<Section> top_keys() {
               {.name = "dynamics", .type = KeyType::table, .holds = "dynamics", .doc = "Integration in time."},
               {.name = "relaxation", .type = KeyType::table, .holds = "relaxation", .doc = "Search for equilibrium."},
               {.name = "arc-length", .type = KeyType::table, .holds = "arc-length", .doc = "Equilibrium paths."},
+              {.name = "sensitivity",
+               .type = KeyType::table,
+               .holds = "sensitivity",
+               .doc = "Derivatives of what the run computes with respect to numbers of the case."},
               {.name = "output", .type = KeyType::table, .holds = "output", .doc = "What the result file keeps."},
           },
   }};

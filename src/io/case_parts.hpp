@@ -33,6 +33,10 @@ void resolve_bending(const CaseSection& bending, Fabric& fabric);
 [[nodiscard]] DynamicsCase resolve_dynamics(const CaseSection& section);
 [[nodiscard]] RelaxationCase resolve_relaxation(const CaseSection& section);
 [[nodiscard]] ArcLengthCase resolve_arc_length(const CaseSection& section);
+/// @param top  of the whole case, whose keys the parameters are; @param resolved  the rest of it
+[[nodiscard]] std::vector<ParameterCase> resolve_sensitivities(const CaseSection& top, const Case& resolved);
+/// A key of the case whose value is a continuous number; `asked` is who asks for it, for messages.
+[[nodiscard]] ParameterCase find_parameter(const CaseSection& top, const std::string& key, const SourceLine& asked);
 [[nodiscard]] OutputCase resolve_output(const CaseSection& section, double duration);
 
 /// Grips and releases in time, which dynamics alone follows.

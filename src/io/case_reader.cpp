@@ -100,6 +100,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   }
   resolved.output =
       resolve_output(top.table("output"), resolved.analysis == Analysis::dynamics ? resolved.dynamics.duration : 0);
+  resolved.sensitivities = resolve_sensitivities(top, resolved);
   for (const auto& piece : resolved.pieces)
     if (const auto* mesh = std::get_if<MeshShape>(&piece.cloth.shape))
       resolved.inputs += (&piece == &resolved.sheet() ? "mesh " : " " + piece.name + " ") + fingerprint(mesh->file);

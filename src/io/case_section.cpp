@@ -126,6 +126,13 @@ std::optional<double> CaseSection::maybe_number(std::string_view name) const {
   return number(name);
 }
 
+std::optional<double> CaseSection::maybe_quantity(std::string_view name, const std::string& unit) const {
+  if (!has(name)) return std::nullopt;
+  Key of_unit = key(name);
+  of_unit.unit = unit;
+  return scalar(of_unit, value(name));
+}
+
 std::vector<double> CaseSection::short_list(const Key& key, const toml::array& array) const {
   if (array.empty() || array.size() > key.entries)
     fail_at(array, source_, path(key.name),

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ class CaseSection {
   [[nodiscard]] double number(std::string_view name) const { return numbers(name).front(); }
   [[nodiscard]] std::optional<double> maybe_number(std::string_view name) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view name) const;
+  /// In SI, of a unit that the key table does not say.
+  [[nodiscard]] std::optional<double> maybe_quantity(std::string_view name, const std::string& unit) const;
   [[nodiscard]] std::vector<double> series(std::string_view name) const;              // one or more
   [[nodiscard]] std::vector<std::vector<double>> lists(std::string_view name) const;  // one or two
   [[nodiscard]] int integer(std::string_view name) const { return static_cast<int>(integers(name).front()); }
@@ -63,6 +66,16 @@ class CaseSection {
   [[nodiscard]] CaseSection table(std::string_view name) const;
   [[nodiscard]] std::vector<CaseSection> tables(std::string_view name) const;
 
+  /// A continuous number, wherever it stands in this table or those within.
+  struct Parameter {
+    double value;      // SI
+    std::string unit;  // SI
+    Range range;
+    SourceLine source;
+  };
+  /// @throws std::invalid_argument  a path that leads to no continuous number
+  [[nodiscard]] Parameter parameter(std::span<const std::string> path) const;
+
   [[nodiscard]] const SourceLine& source() const { return source_; }
   [[nodiscard]] SourceLine source(std::string_view name) const;  // the section's own where the key is left out
   [[noreturn]] void fail(std::string_view name, const std::string& message) const;
@@ -77,6 +90,7 @@ class CaseSection {
   [[nodiscard]] double scalar(const Key& key, const toml::node& node) const;
   [[nodiscard]] std::vector<double> list(const Key& key, const toml::array& array) const;
   [[nodiscard]] std::vector<double> short_list(const Key& key, const toml::array& array) const;
+  [[nodiscard]] Parameter number_at(const Key& key, std::span<const std::string> rest) const;
   void check_known(const toml::key& name, const std::string& kind) const;
   void check_value(const Key& key) const;
   void check_required(const std::string& kind) const;

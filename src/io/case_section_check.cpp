@@ -90,6 +90,10 @@ void CaseSection::check_value(const Key& key) const {
     case KeyType::number:
       (void)numbers(key.name);
       break;
+    case KeyType::quantity:
+      if (!given(key.name)->is_number() && !given(key.name)->is_string())
+        fail(key.name, "a number or a quantity is expected");
+      break;
     case KeyType::series:
       (void)series(key.name);
       break;

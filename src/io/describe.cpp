@@ -220,6 +220,8 @@ std::string describe(const Case& resolved) {
     describe_relaxation(out, resolved.relaxation);
   else
     describe_arc_length(out, resolved.arc_length, resolved.stages());
+  if (!resolved.sensitivities.empty()) out.heading("differentiated by");
+  for (const auto& parameter : resolved.sensitivities) out.derived(parameter.key, parameter.value, parameter.unit);
   describe_output(out, resolved.output, resolved.model);
   return out.print();
 }

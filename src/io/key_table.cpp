@@ -49,6 +49,11 @@ const std::vector<Section>& study_key_table() {
   return table;
 }
 
+const std::vector<Section>& fit_key_table() {
+  static const std::vector<Section> table = fit_keys();
+  return table;
+}
+
 const Section& key_section(std::string_view name, const std::vector<Section>& table) {
   for (const auto& section : table)
     if (section.name == name) return section;

@@ -28,6 +28,8 @@ std::string type_text(const Key& key) {
       return "list of choices";
     case KeyType::number:
       return number_text(key, key.unit == "1" ? "number" : "quantity");
+    case KeyType::quantity:
+      return "number or quantity";
     case KeyType::series:
       return fmt::format("number or list of 1 to {}", key.entries);
     case KeyType::lists:

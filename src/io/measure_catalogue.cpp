@@ -117,6 +117,7 @@ const std::vector<MeasureInfo>& number_catalogue() {
       {"factorizations", "1", "matrices factored"},
       {"linear_solves", "1", "linear systems solved"},
       {"linear_iterations", "1", "iterations of the linear solver"},
+      {"sensitivity_linear_iterations", "1", "iterations of the linear solver for sensitivities"},
       {"patterns", "1", "changes of the matrices' pattern"},
       {"residual", "1", "out-of-balance force over external force at the end of a relaxation"},
       {"negative_pivots", "1", "of the tangent at the end of a static analysis; 0: a stable equilibrium"},
@@ -133,6 +134,7 @@ const std::vector<MeasureInfo>& number_catalogue() {
       {"assembly_seconds", "s", "wall-clock time in assembling tangents", true},
       {"factor_seconds", "s", "wall-clock time in factoring", true},
       {"solve_seconds", "s", "wall-clock time in linear solves", true},
+      {"sensitivity_matrix_seconds", "s", "wall-clock time in the matrices of sensitivities", true},
   };
   return all;
 }

@@ -25,6 +25,8 @@ nlohmann::json info_json(const ResultReader& result) {
   info["obstacles"] = nlohmann::json::object();
   for (const auto& each : result.obstacles())
     info["obstacles"][each.name] = {{"kind", each.kind}, {"parameters", each.parameters}};
+  for (const auto& by : result.sensitivities())
+    info["sensitivities"][by.parameter] = {{"value", by.value}, {"unit", by.unit}};
   info["probes"] = nlohmann::json::object();
   for (const auto& [name, probe] : result.probes()) {
     info["probes"][name]["node"] = probe.node;
@@ -60,6 +62,8 @@ std::string info_text(const ResultReader& result) {
   for (const auto& each : result.obstacles()) fmt::format_to(out, "  obstacle    {} ({})\n", each.name, each.kind);
   for (const auto& [name, probe] : result.probes())
     fmt::format_to(out, "  probe       {} at node {}\n", name, probe.node);
+  for (const auto& by : result.sensitivities())
+    fmt::format_to(out, "  sensitivity by {} at {:.6g} {}\n", by.parameter, by.value, by.unit);
   const bool time = result.frame_variable() == FrameVariable::time;
   fmt::format_to(out, "  frames      {}", result.frames());
   if (result.frames() > 0)

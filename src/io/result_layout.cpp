@@ -59,6 +59,9 @@ const std::vector<Meaning>& table() {
       {"/frames/obstacle_force/*", "N", "force of an obstacle on the cloth, friction included"},
       {"/frames/obstacle_position/*", "m", "position of an obstacle that moves"},
       {"/frames/obstacle_rotation/*", "1", "rotation matrix of an obstacle that moves, from its shape to the world"},
+      {"/sensitivity/*/position", "m", "derivative of each node's position by a parameter; NaN: not known"},
+      {"/sensitivity/*/velocity", "m/s", "derivative of each node's velocity by a parameter; NaN: not known"},
+      {"/sensitivity/*/probes/*", "m", "derivative of a probed node's position by a parameter; NaN: not known"},
       {"/probes/*/time", "s", "time of every accepted step"},
       {"/probes/*/load_factor", "1", "load factor of every accepted step of an equilibrium path"},
       {"/probes/*/position", "m", "position of the probed node"},
@@ -100,8 +103,11 @@ const std::vector<Meaning>& table() {
 bool fits(std::string_view path, std::string_view pattern) {
   const auto star = pattern.find('*');
   if (star == std::string_view::npos) return path == pattern;
-  const auto tail = pattern.substr(star + 1);
-  return path.size() > star + tail.size() && path.starts_with(pattern.substr(0, star)) && path.ends_with(tail);
+  if (!path.starts_with(pattern.substr(0, star))) return false;
+  const auto tail = pattern.substr(star + 1), rest = path.substr(star);
+  for (std::size_t taken = 1; taken <= rest.size(); ++taken)
+    if (fits(rest.substr(taken), tail)) return true;
+  return false;
 }
 
 Column column(const std::string& path, std::vector<std::uint64_t> row_shape = {},
@@ -127,6 +133,21 @@ std::vector<StepColumn> step_columns(std::initializer_list<const char*> names) {
   std::vector<StepColumn> columns;
   for (const auto* const name : names) columns.push_back(step_column(name));
   return columns;
+}
+
+/// In the order in which the writer adds them.
+void add_sensitivities(const ResultHeader& header, std::vector<Column>& columns) {
+  const auto nodes = static_cast<std::uint64_t>(header.mesh.nodes());
+  for (const auto& by : header.sensitivities) {
+    const auto group = "/sensitivity/" + layout::link_name(by.parameter);
+    const auto add = [&](const std::string& name, std::vector<std::uint64_t> shape) {
+      columns.push_back(column(group + name, std::move(shape)));
+      if (by.unit != "1") columns.back().units += fmt::format("/({})", by.unit);
+    };
+    add("/position", {nodes, 3});
+    if (header.rate_sensitivities) add("/velocity", {nodes, 3});
+    for (const auto& probe : header.probes) add("/probes/" + layout::link_name(probe.name), {3});
+  }
 }
 
 Series frame_series(const ResultHeader& header) {
@@ -161,6 +182,7 @@ Series frame_series(const ResultHeader& header) {
     columns.push_back(column("/frames/obstacle_position/" + name, {3}));
     columns.push_back(column("/frames/obstacle_rotation/" + name, {3, 3}));
   }
+  add_sensitivities(header, columns);
   return frames;
 }
 

@@ -109,6 +109,20 @@ ElementFields ResultReader::element_fields(std::size_t frame) const {
   return fields;
 }
 
+std::vector<SensitivityRecord> ResultReader::sensitivities() const {
+  std::vector<SensitivityRecord> result;
+  for (const auto& name : file_.children("/sensitivity")) {
+    const auto group = "/sensitivity/" + name;
+    result.push_back({file_.text_attribute(group, "parameter"), std::get<double>(file_.attribute(group, "value")),
+                      file_.text_attribute(group, "unit")});
+  }
+  return result;
+}
+
+Vector ResultReader::position_sensitivity(const std::string& parameter, std::size_t frame) const {
+  return nodal(fmt::format("/sensitivity/{}/position", layout::link_name(parameter)), frame);
+}
+
 std::map<std::string, std::vector<double>> ResultReader::step_columns() const {
   std::map<std::string, std::vector<double>> result;
   for (const auto& name : file_.children("/steps"))

@@ -90,6 +90,13 @@ void ResultRest::write(hdf5::File& file) const {
   write_mesh(file, header.mesh);
   write_obstacles(file, header.obstacles);
   write_statistics(file, statistics);
+  for (const auto& by : header.sensitivities) {
+    const auto group = "/sensitivity/" + layout::link_name(by.parameter);
+    file.create_group(group);
+    file.set_attribute(group, "parameter", by.parameter);
+    file.set_attribute(group, "value", by.value);
+    file.set_attribute(group, "unit", by.unit);
+  }
   for (const auto& probe : header.probes) {
     const auto group = "/probes/" + layout::link_name(probe.name);
     file.create_group(group);

@@ -158,6 +158,14 @@ void ResultWriter::append_frame(const Frame& frame) {
     throw std::invalid_argument(
         fmt::format("a frame has {} obstacles, the result has {}", frame.obstacles.size(), header.obstacles.size()));
 
+  if (!frame.sensitivities.empty() && frame.sensitivities.size() != header.sensitivities.size())
+    throw std::invalid_argument(fmt::format("a frame has derivatives by {} parameters, the result by {}",
+                                            frame.sensitivities.size(), header.sensitivities.size()));
+  for (const auto& by : frame.sensitivities) {
+    require_size(by.position, size, "derivative of positions");
+    if (header.rate_sensitivities) require_size(by.velocity, size, "derivative of velocities");
+  }
+
   auto& file = implementation_->file();
   std::size_t column = 0;  // in the order of layout::series
   const auto add = [&](std::span<const double> values) { file.append(SeriesIndex::frames, column++, values); };
@@ -189,6 +197,14 @@ void ResultWriter::append_frame(const Frame& frame) {
     const Matrix3 rows = pose.rotation.transpose();  // Eigen stores columns, readers expect rows
     add(std::span(pose.position.data(), 3));
     add(std::span(rows.data(), 9));
+  }
+  const Vector unknown = Vector::Constant(size, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < header.sensitivities.size(); ++k) {
+    const auto& by = frame.sensitivities.empty() ? FrameSensitivity{unknown, unknown} : frame.sensitivities[k];
+    add(entries(by.position));
+    if (header.rate_sensitivities) add(entries(by.velocity));
+    for (const auto& probe : header.probes)
+      add(entries(by.position).subspan(3 * static_cast<std::size_t>(probe.node), 3));
   }
   file.commit();
 }

@@ -49,6 +49,21 @@ FactorStatus Tangent::factor_symmetric() {
   return status;
 }
 
+SolveReport Tangent::solve_stiffness(ConstVectorRef b, VectorRef x) {
+  constexpr int corrections = 3;  // each gains what ε² M is small against K, and rounding of the factor
+  auto report = solve(b, x);
+  Vector rest(b.size()), correction(b.size());
+  for (int k = 0; k < corrections && report.ok; ++k) {
+    matrix_.multiply(x, rest);
+    for (int r = 0; r < static_cast<int>(shift_.size()); ++r) point(rest, r) -= shift_[r] * point(x, r);
+    rest = b - rest;
+    system_.unknowns().clear_held(rest);
+    report = solve(rest, correction);
+    x += correction;
+  }
+  return report;
+}
+
 std::optional<int> Tangent::negative_pivots() {
   if (used_ == cholesky_.get() && cholesky_) return cholesky_->negative_pivots();
   if (!ldlt_current_) {

@@ -21,10 +21,11 @@ void expect_reference(const std::string& guide, const std::vector<Section>& tabl
 TEST(KeyTable, IsTheReferenceInTheDocs) {
   expect_reference("case-file.md", key_table());
   expect_reference("studies.md", study_key_table());
+  expect_reference("fit.md", fit_key_table());
 }
 
 TEST(KeyTable, SaysSomethingOfEveryKeyAndNamesItOnceAKind) {
-  for (const auto* table : {&key_table(), &study_key_table()})
+  for (const auto* table : {&key_table(), &study_key_table(), &fit_key_table()})
     for (const auto& section : *table) {
       std::set<std::string> seen;
       for (const auto& key : section.keys) {
@@ -37,7 +38,7 @@ TEST(KeyTable, SaysSomethingOfEveryKeyAndNamesItOnceAKind) {
 
 TEST(KeyTable, HasASectionForEveryTableAndAUnitForEveryQuantity) {
   const Units units;
-  for (const auto* table : {&key_table(), &study_key_table()})
+  for (const auto* table : {&key_table(), &study_key_table(), &fit_key_table()})
     for (const auto& section : *table)
       for (const auto& key : section.keys) {
         if (!key.holds.empty()) {

@@ -94,7 +94,8 @@ struct CaseModel {
 /// @throws CaseError  what only shows with the mesh at hand: selectors that pick nothing, sets that are not there,
 /// loads
 ///                    that find no edge, supports in conflict, a mesh that cannot be used
-[[nodiscard]] CaseModel build_model(const Case& c);
+/// @param friction  how it enters tangents: by the secant, for Newton's iteration, or as it is
+[[nodiscard]] CaseModel build_model(const Case& c, FrictionMatrix friction = FrictionMatrix::secant);
 
 [[nodiscard]] RigidPlacement placement(const Place& place);
 

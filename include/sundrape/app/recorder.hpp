@@ -7,6 +7,7 @@
 
 #include "sundrape/app/model.hpp"
 #include "sundrape/app/run_clock.hpp"
+#include "sundrape/app/sensitivities.hpp"
 #include "sundrape/integrate/energy_audit.hpp"
 #include "sundrape/io/result_writer.hpp"
 #include "sundrape/io/xdmf.hpp"
@@ -34,9 +35,15 @@ class Recorder {
   Recorder(const Case& c, const CaseModel& model, const Files& files, std::vector<StepColumn> columns,
            std::uint64_t expected_frames, RunClock clock = {});
 
+  /// Has frames hold derivatives too: of equilibria by themselves, of motions as given to frame().
+  void differentiate(Sensitivities& sensitivities) { sensitivities_ = &sensitivities; }
+  /// Null unless the case asks for derivatives.
+  [[nodiscard]] Sensitivities* sensitivities() const { return sensitivities_; }
+
+  /// A frame whose negative pivots are known is one of an equilibrium.
   /// @param residual  where the analysis knows it better than by the loads of the moment
   void frame(const State& all, const EnergyAudit::Balance& balance, std::optional<int> negative_pivots = std::nullopt,
-             std::optional<double> residual = std::nullopt);
+             std::optional<double> residual = std::nullopt, std::vector<FrameSensitivity> derivatives = {});
   /// Probes and extremes of an accepted step; returns how the cloth stands to its obstacles.
   ContactReport step(const State& all);
   void step_values(std::initializer_list<ResultWriter::StepValue> values) { writer_.append_step(values); }
@@ -44,8 +51,10 @@ class Recorder {
   void critical_point(const CriticalRecord& point) { writer_.append_critical_point(point); }
   /// @param totals    what the analysis counts, in its own order and always as many
   /// @param schedule  of supports that change in time (SupportSchedule)
+  /// @param sensitivities  of a motion: where they are, as the analysis lists them
   void checkpoint(const State& all, const EnergyAudit::Balance& balance, double initial_energy, double step_size,
-                  const std::vector<double>& totals, const std::vector<double>& schedule = {});
+                  const std::vector<double>& totals, const std::vector<double>& schedule = {},
+                  const std::vector<double>& sensitivities = {});
   /// What an interrupted run left, if this one resumes it.
   struct Restart {
     double time = 0;
@@ -55,7 +64,7 @@ class Recorder {
     std::vector<double> totals;  // as given to checkpoint()
     Extremes extremes;
     double wall = 0, cpu = 0;  // [s]
-    std::vector<double> schedule;
+    std::vector<double> schedule, sensitivities;
   };
   [[nodiscard]] const std::optional<Restart>& restart() const { return restart_; }
 
@@ -82,6 +91,7 @@ class Recorder {
   ResultWriter writer_;
   XdmfWriter xdmf_;
   Extremes extremes_;
+  Sensitivities* sensitivities_ = nullptr;
   std::optional<double> first_crossing_;
   Frame last_;
   std::vector<std::string> warnings_;

@@ -24,6 +24,9 @@ namespace sundrape {
 /// while mass matters, but LU for moments without an energy.
 [[nodiscard]] std::unique_ptr<LinearSolver> dynamics_solver(const Case& c);
 
+/// The one that sensitivities of a motion take: exact where that is only nearly so.
+[[nodiscard]] std::unique_ptr<LinearSolver> sensitivity_solver(const Case& c);
+
 /// Tolerance, steps and limits of a relaxation. The energy may rise by a twentieth of weight times size in a step: less
 /// costs steps, since a long one along a fold stretches the cloth and the next one gives that back.
 [[nodiscard]] RelaxationOptions relaxation_options(const Case& c, const CaseModel& model);

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "sundrape/integrate/energy_audit.hpp"
+#include "sundrape/integrate/forward_sensitivity.hpp"
 #include "sundrape/integrate/integrator.hpp"
 #include "sundrape/integrate/timetable.hpp"
 
@@ -25,6 +26,9 @@ class Dynamics {
   /// @param frame_times  ascending; the last is the end of the run [s]
   Dynamics(const System& system, Integrator& integrator, std::vector<double> frame_times, DynamicsObserver& observer,
            EventSource* events = nullptr, Timetable* timetable = nullptr);
+
+  /// Has sensitivities follow every step; call before run().
+  void carry(ForwardSensitivity& sensitivity) { sensitivity_ = &sensitivity; }
 
   /// From a state of all points; frames at or before `time` are taken as written unless `first_frame` asks for the one
   /// at `time`.
@@ -51,6 +55,7 @@ class Dynamics {
   DynamicsObserver& observer_;
   EventSource* events_;
   Timetable* timetable_;
+  ForwardSensitivity* sensitivity_ = nullptr;
   double time_ = 0;
   Vector q_, v_;              // all points, after the last step
   Vector frame_q_, frame_v_;  // all points, of a frame

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sundrape/force/wind_field.hpp"
+#include "sundrape/io/key_table.hpp"
 #include "sundrape/material/fabric.hpp"
 #include "sundrape/mesh/rigid_path.hpp"
 #include "sundrape/mesh/selector.hpp"
@@ -294,6 +295,15 @@ struct ShellCase {
   double rotary_inertia = 1;  // factor on ρ h³/12
 };
 
+/// A continuous number of a case that results are differentiated by, or that is identified.
+struct ParameterCase {
+  std::string key;   // dotted, as for --set
+  double value = 0;  // SI
+  std::string unit;  // SI; "1": a plain number
+  Range range;       // that the key accepts
+  SourceLine source;
+};
+
 /// A sheet of cloth and what it is made of.
 struct PieceCase {
   std::string name = "cloth";
@@ -319,9 +329,10 @@ struct Case {
   RelaxationCase relaxation;
   ArcLengthCase arc_length;
   OutputCase output;
-  std::filesystem::path file;  // the case file; relative paths inside it count from its folder
-  std::string text;            // the TOML as run, --set included
-  std::string inputs;          // fingerprints of the other files that it reads: mesh, start
+  std::vector<ParameterCase> sensitivities;  // what the run is differentiated by
+  std::filesystem::path file;                // the case file; relative paths inside it count from its folder
+  std::string text;                          // the TOML as run, --set included
+  std::string inputs;                        // fingerprints of the other files that it reads: mesh, start
 
   /// The first piece: the sheet, of most cases.
   [[nodiscard]] const PieceCase& sheet() const { return pieces.front(); }

@@ -16,6 +16,7 @@ enum class KeyType {
   number,      // a number or a quantity of the key's `unit`
   series,      // a number, or a list of one to `entries` of them, of the key's `unit`
   lists,       // one to `entries` plain numbers, or two such lists, of warp and weft
+  quantity,    // a number or a quantity of a unit that another key says
   integer,     // a whole number
   boolean,     // true or false
   corners,     // two points, [[x, y, z], [x, y, z]], of the key's `unit`
@@ -83,6 +84,9 @@ struct Section {
 
 /// Every key that a study file may have; the first section is the file's top level.
 [[nodiscard]] const std::vector<Section>& study_key_table();
+
+/// Every key that a fit file may have; the first section is the file's top level.
+[[nodiscard]] const std::vector<Section>& fit_key_table();
 
 /// @throws std::invalid_argument  no such section
 [[nodiscard]] const Section& key_section(std::string_view name, const std::vector<Section>& table = key_table());

@@ -55,6 +55,13 @@ struct StepColumn {
 /// load_factor, stage, arc_length, newton_iterations, halvings, residual, contacts, negative_pivots.
 [[nodiscard]] std::vector<StepColumn> path_step_columns();
 
+/// A parameter that frames hold derivatives by.
+struct SensitivityRecord {
+  std::string parameter;  // key of the case
+  double value = 0;       // SI
+  std::string unit;       // SI; "1": a plain number
+};
+
 /// What is known before the first frame.
 struct ResultHeader {
   std::string title, model, analysis;
@@ -70,6 +77,8 @@ struct ResultHeader {
   std::vector<ProbeRecord> probes;
   std::vector<StepColumn> step_columns;  // the first one counts the steps
   std::vector<ObstacleRecord> obstacles;
+  std::vector<SensitivityRecord> sensitivities;
+  bool rate_sensitivities = false;  // whether velocities have derivatives too
 };
 
 /// The energy balance at one instant [J].
@@ -90,6 +99,11 @@ struct ElementFields {
   Vector moment;           // 3E: m₁₁, m₂₂, m₁₂ [N]
 };
 
+/// Derivatives by one parameter, per SI unit of it.
+struct FrameSensitivity {
+  Vector position, velocity;  // 3N; velocity where the header says so
+};
+
 /// One frame. Vectors of 3N hold three components a node.
 struct Frame {
   double variable = 0;        // time [s] or load factor
@@ -100,13 +114,14 @@ struct Frame {
   Vector energy_density;      // N, what the cloth stores by its deformation over its area [J/m²]; may be empty: zeros
   ElementFields elements;     // where the header says so
   FrameEnergies energies;
-  double residual = 0;                  // |out-of-balance force| / |external force|
-  int negative_pivots = -1;             // of the tangent; −1: not evaluated
-  double penetration = 0;               // deepest, into an obstacle or of cloth into cloth [m]
-  std::int64_t crossings = 0;           // pairs of triangles of the cloth that intersect
-  std::vector<Vector3> reactions;       // force that the cloth exerts on each reaction set [N]
-  std::vector<Vector3> moments;         // its moment about the mean position of the set's nodes [N m]
-  std::vector<ObstaclePose> obstacles;  // one an obstacle of the header; may be empty: as there, without forces
+  double residual = 0;                          // |out-of-balance force| / |external force|
+  int negative_pivots = -1;                     // of the tangent; −1: not evaluated
+  double penetration = 0;                       // deepest, into an obstacle or of cloth into cloth [m]
+  std::int64_t crossings = 0;                   // pairs of triangles of the cloth that intersect
+  std::vector<Vector3> reactions;               // force that the cloth exerts on each reaction set [N]
+  std::vector<Vector3> moments;                 // its moment about the mean position of the set's nodes [N m]
+  std::vector<FrameSensitivity> sensitivities;  // one a parameter of the header; may be empty: NaN, not known
+  std::vector<ObstaclePose> obstacles;          // one an obstacle of the header; may be empty: as there, without forces
 };
 
 /// Where an equilibrium path has a limit point or forks.

@@ -62,6 +62,11 @@ class ResultReader {
   /// Strains and stress resultants of a shell's elements. @throws FileError  no such frame, or none kept
   [[nodiscard]] ElementFields element_fields(std::size_t frame) const;
 
+  /// By which parameters frames hold derivatives.
+  [[nodiscard]] std::vector<SensitivityRecord> sensitivities() const;
+  /// d(position)/d(parameter), 3N, NaN where not known. @throws FileError  no such frame or parameter
+  [[nodiscard]] Vector position_sensitivity(const std::string& parameter, std::size_t frame) const;
+
   [[nodiscard]] std::size_t steps() const { return steps_; }
   /// By name, one value a step.
   [[nodiscard]] std::map<std::string, std::vector<double>> step_columns() const;

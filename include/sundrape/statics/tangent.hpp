@@ -20,6 +20,8 @@ class Tangent {
   [[nodiscard]] FactorStatus factor(const State& all);
   /// x = K⁻¹ b, rows, 3n; may not overlap.
   [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x) { return used_->solve(b, x, 1e-10); }
+  /// The same without ε: by the factor, and what it leaves corrected by itself. What is neutral has no part in b.
+  [[nodiscard]] SolveReport solve_stiffness(ConstVectorRef b, VectorRef x);
   /// Negative pivots of the last K factored: independent ways in which an equilibrium there is unstable. Nothing if
   /// that cannot be told.
   [[nodiscard]] std::optional<int> negative_pivots();

@@ -50,6 +50,8 @@ class System {
   /// Has all that is carried go on from where it is at a state.
   void go_on_from(const State& all);
 
+  /// Where what is held stands before motions carry it, 3P [m]; entries of what is free mean nothing.
+  [[nodiscard]] const Vector& rest() const { return rest_; }
   [[nodiscard]] bool has_motions() const { return !motions_.empty(); }
   [[nodiscard]] const PrescribedMotion& motion(std::size_t index) const { return motions_[index]; }
   /// Puts the points that are carried along paths where they are at a time, or at a load factor of a stage; of q, 3P
