@@ -1,5 +1,5 @@
 #pragma once
-// The one place that owns SUNDIALS objects; a change of its major version is work here and in the three integrators
+// The one place that owns SUNDIALS objects; a change of its major version is work here and in the integrators
 // only.
 #include <exception>
 #include <functional>

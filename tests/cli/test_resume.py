@@ -133,10 +133,10 @@ class Resume(CommandLineTest):
                 def run(name, duration, frames, *more):
                     self.done("run", self.case, "--quiet", "--set", f"dynamics.integrator={integrator}", "--set", f"dynamics.duration={duration}",
                               "--set", f"output.frames={frames}", "-o", name, *more)
-                run("whole.h5", 2, 10)
-                run("half.h5", 1, 5)
-                run("both.h5", 2, 10, "--resume", "half.h5")
-                self.expect_same_end("both.h5", self.read("whole.h5")[1])
+                run(f"{integrator}_whole.h5", 2, 10)
+                run(f"{integrator}_half.h5", 1, 5)
+                run(f"{integrator}_both.h5", 2, 10, "--resume", f"{integrator}_half.h5")
+                self.expect_same_end(f"{integrator}_both.h5", self.read(f"{integrator}_whole.h5")[1])
 
     def test_what_cannot_be_resumed_is_named(self):
         self.done("run", self.case, "--quiet", "-o", "short.h5", "--set", "dynamics.duration='10 ms'", "--set", "output.frames=1")

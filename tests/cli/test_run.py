@@ -82,6 +82,15 @@ class Run(CommandLineTest):
         for integrator in ("cvode", "ida", "dirk"):
             self.assertLess(np.abs(ends[integrator] - ends["rk4"]).max(), 0.02 * way, integrator)
 
+    def test_a_fixed_step_of_dirk_is_kept_to_the_end(self):
+        case = self.write("strip.toml", hanging(duration="0.1 s", cells="[6, 1]", frames="4"))
+        self.done("run", case, "--quiet", "--set", "dynamics.integrator=dirk", "--set", "dynamics.max_order=3", "--set", "dynamics.step='1 ms'", "-o", "out.h5")
+        with h5py.File(self.folder / "out.h5") as result:
+            steps = result["steps/step_size"][...]
+            np.testing.assert_allclose(steps[:-1], 1e-3, rtol=1e-9)  # rounding may leave a last one of next to nothing
+            self.assertAlmostEqual(steps.sum(), 0.1, delta=1e-9)
+            self.assertEqual(set(result["steps/order"][...]), {3})
+
 
 class OtherVerbs(CommandLineTest):
     def test_check_prints_what_is_resolved_and_writes_nothing(self):

@@ -41,7 +41,7 @@ std::complex<double> stability_function(const Method& m, std::complex<double> z)
   return p / std::pow(1.0 - m.gamma * z, n);
 }
 
-// Stages of too long a step swing tens of times further, which is to remain a small part of the spring.
+// Stages of too long a step are predicted tens of times further out, which is to remain a small part of the spring.
 constexpr double amplitude = 1e-4;                                    // [m]
 const double frequency = std::sqrt(spring_stiffness / hanging_mass);  // [1/s]
 

@@ -100,6 +100,24 @@ TEST(SwingVerification, ThinShellConvergesToTheReference) {
   EXPECT_LT(fine, 0.00025);
 }
 
+// Five cells of cloth that stretches 2000 times as easily, whose membrane the steps resolve: with the twill's own,
+// stage order 2 shows, and all orders converge by 1.5 to 3 (docs/integrators.md).
+TEST(Swing, FixedStepsOfDirkConvergeWithTheirOrder) {
+  const auto end = [](int order, double step) {
+    return motion(benchmark("swing.toml",
+                            {"cloth.cells=[5,1]", "material.youngs_modulus=\"30 gf/cm^2\"", "dynamics.duration=0.1",
+                             "dynamics.rtol=1e-10", "dynamics.integrator=dirk",
+                             fmt::format("dynamics.max_order={}", order), fmt::format("dynamics.step={}", step)}))
+        .position.back();
+  };
+  const Vector exact = end(5, 0.25e-3);
+  for (const int order : {2, 3, 4, 5}) {
+    const double coarse = (end(order, 4e-3) - exact).norm(), fine = (end(order, 2e-3) - exact).norm();
+    EXPECT_GE(observed_order(coarse, fine), order - 0.2) << order;
+    EXPECT_LE(observed_order(coarse, fine), order + 0.5) << order;
+  }
+}
+
 // Both have the same mesh; CVODE's share in the tip's error is what rtol leaves of it.
 TEST(SwingVerification, RungeKuttaAgreesOnAFewShellElements) {
   const auto swing = [](const std::vector<std::string>& sets) {
