@@ -17,7 +17,8 @@ from .errors import BAD_USE, PostprocError
 from .json_report import read_report
 from .page import DPI, STYLE
 
-# Okabe-Ito colours in an order of lightness that grey printing keeps apart, each with a marker and dashes of its own
+# Okabe-Ito colours in an order of lightness that grey printing keeps apart, then grey and two of them again; each has a marker
+# of its own, and dashes that those of its colour and its neighbours do not have
 LOOKS = (
     ("#0072B2", "o", "-"),
     ("#D55E00", "s", (0, (5, 1.6))),
@@ -26,6 +27,9 @@ LOOKS = (
     ("#E69F00", "v", "-"),
     ("#56B4E9", "P", (0, (5, 1.6))),
     ("#CC79A7", "X", (0, (1, 1.2))),
+    ("#7F7F7F", "*", (0, (4, 1.4, 1, 1.4))),
+    ("#0072B2", "<", (0, (1, 1.2))),
+    ("#D55E00", ">", (0, (4, 1.4, 1, 1.4))),
 )
 PANEL = (3.9, 2.9)  # inches
 LEGEND = 1.7  # inches beside the panels
@@ -58,7 +62,7 @@ class Output:
 class Curve:
     """One line of a panel: its points in the order of the study's runs."""
 
-    by: int  # which value of the figure's `by` axis
+    place: int  # of its value of `by` among those that the figure draws
     x: np.ndarray
     y: np.ndarray
 
@@ -104,22 +108,32 @@ def read(folder: Path) -> Study:
     return Study(report["title"], axes, outputs, tuple(report.get("figures", ())), choice, values)
 
 
+def curve_labels(study: Study, figure: dict[str, Any]) -> tuple[str, ...]:
+    """Of the values of `by` that the figure draws, in its order; one without words where there is no `by`."""
+    by = study.axis(figure["by"])
+    return ("",) if by is None else tuple(figure.get("curves", study.axes[by].labels))
+
+
 def curves(study: Study, figure: dict[str, Any], y: str, panel: int | None) -> Iterator[Curve]:
-    """Of one panel: one for each value of `by`, and for each combination of the axes that the figure does not name."""
+    """Of one panel: one for each value of `by` that is drawn, and for each combination of the axes that the figure does not
+    name."""
     named = [figure["x"], figure["by"], figure["panels"]]
     others = [k for k, axis in enumerate(study.axes) if axis.name not in named]
     if study.axis(figure["x"]) is None and others:
         others = others[:-1]  # over an output a curve runs along the last of them
     by, panels = study.axis(figure["by"]), study.axis(figure["panels"])
-    keys = study.choice[:, ([] if by is None else [by]) + others]
-    for key in dict.fromkeys(map(tuple, keys)):
-        chosen = (keys == key).all(axis=1)
-        if panels is not None:
-            chosen &= study.choice[:, panels] == panel
-        x, value = study.column(figure["x"])[chosen], study.values[y][chosen]
-        there = np.isfinite(x) & np.isfinite(value)
-        if there.any():
-            yield Curve(0 if by is None else int(key[0]), x[there], value[there])
+    keys = study.choice[:, others]
+    for place, label in enumerate(curve_labels(study, figure)):
+        for key in dict.fromkeys(map(tuple, keys)):
+            chosen = (keys == key).all(axis=1)
+            if by is not None:
+                chosen &= study.choice[:, by] == study.axes[by].labels.index(label)
+            if panels is not None:
+                chosen &= study.choice[:, panels] == panel
+            x, value = study.column(figure["x"])[chosen], study.values[y][chosen]
+            there = np.isfinite(x) & np.isfinite(value)
+            if there.any():
+                yield Curve(place, x[there], value[there])
 
 
 def observed_slope(curve: Curve) -> float | None:
@@ -166,7 +180,7 @@ def _panel(axes: Axes, study: Study, figure: dict[str, Any], y: str, drawn: Sequ
     else:
         axes.set_yscale("log" if figure["log_y"] else "linear")
     for curve in drawn:
-        colour, marker, dashes = LOOKS[curve.by % len(LOOKS)]
+        colour, marker, dashes = LOOKS[curve.place % len(LOOKS)]
         axes.plot(curve.x, curve.y, color=colour, marker=marker, linestyle=dashes, markersize=4.5, linewidth=1.3)
     if "slope" in figure and drawn and figure["log_x"] and figure["log_y"]:
         _guide(axes, figure["slope"], drawn)
@@ -196,11 +210,12 @@ def _guide(axes: Axes, slope: float, drawn: Sequence[Curve]) -> None:
 
 def _legend(axes: Axes, study: Study, by: int | None, drawn: Sequence[Curve], figure: dict[str, Any]) -> None:
     handles, texts = [], []
-    for value in dict.fromkeys(curve.by for curve in drawn):
-        colour, marker, dashes = LOOKS[value % len(LOOKS)]
-        text = "" if by is None else study.axes[by].labels[value]
+    labels = curve_labels(study, figure)
+    for place in dict.fromkeys(curve.place for curve in drawn):
+        colour, marker, dashes = LOOKS[place % len(LOOKS)]
+        text = labels[place]
         if "slope" in figure:
-            slopes = [observed_slope(curve) for curve in drawn if curve.by == value]
+            slopes = [observed_slope(curve) for curve in drawn if curve.place == place]
             known = [slope for slope in slopes if slope is not None]
             if known:
                 text += f"{', ' if text else ''}slope {np.mean(known):.2f}".replace("-", "\N{MINUS SIGN}")

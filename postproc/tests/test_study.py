@@ -59,6 +59,21 @@ class Figures(Folders):
         panel = list(study.curves(read, figure(x="rtol", by="", panels="method"), "error", 1))
         self.assertEqual([list(curve.x) for curve in panel], [list(self.RTOL[:2])])
 
+    def test_named_values_are_drawn_in_their_order(self):
+        read = self.read()
+        chosen = figure(curves=["two", "one"])
+        self.assertEqual([len(curve.x) for curve in study.curves(read, chosen, "error", None)], [2, 3])
+        page = study.draw(read, chosen)
+        colours = [line.get_color() for line in page.axes[0].lines]
+        self.assertEqual(colours, [look[0] for look in study.LOOKS[:2]])
+        self.assertEqual([text.get_text() for text in page.axes[0].get_legend().get_texts()], ["two", "one"])
+        (two,) = study.curves(read, figure(curves=["two"]), "error", None)
+        np.testing.assert_allclose(two.y, 3 / two.x**2)
+
+    def test_every_curve_has_a_look_of_its_own(self):
+        self.assertEqual(len({marker for _, marker, _ in study.LOOKS}), len(study.LOOKS))
+        self.assertEqual(len({(colour, str(dashes)) for colour, _, dashes in study.LOOKS}), len(study.LOOKS))
+
     def test_every_figure_becomes_a_file(self):
         self.study["figures"] = [figure(slope=-2), figure(name="words", x="method", by="rtol", log_x=False)]
         self.write("study.json", self.study)

@@ -10,8 +10,9 @@ namespace sundrape {
 namespace {
 
 nlohmann::json to_json(const StudyFigure& figure) {
-  nlohmann::json json{{"name", figure.name},     {"x", figure.x},         {"y", figure.y},        {"by", figure.by},
-                      {"panels", figure.panels}, {"log_x", figure.log_x}, {"log_y", figure.log_y}};
+  nlohmann::json json{{"name", figure.name},   {"x", figure.x},           {"y", figure.y},
+                      {"by", figure.by},       {"curves", figure.curves}, {"panels", figure.panels},
+                      {"log_x", figure.log_x}, {"log_y", figure.log_y}};
   if (figure.slope) json["slope"] = *figure.slope;
   return json;
 }

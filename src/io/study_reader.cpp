@@ -130,6 +130,28 @@ StudyProgram read_program(const CaseSection& section) {
   return program;
 }
 
+/// Labels of the values of a figure's `by` that it draws, in its order.
+std::vector<std::string> read_curves(const CaseSection& section, const std::string& by, const Study& study) {
+  if (by.empty()) {
+    if (section.has("curves")) section.fail("curves", "they are values of an axis: say which with `by`");
+    return {};
+  }
+  const auto axis = std::ranges::find(study.axes, by, &StudyAxis::name);
+  std::vector<std::string> labels;
+  labels.reserve(axis->values.size());
+  for (const auto& value : axis->values) labels.push_back(value.label);
+  if (!section.has("curves")) return labels;
+  auto curves = section.texts("curves");
+  if (curves.empty()) section.fail("curves", "the list is empty");
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (std::ranges::find(labels, curves[k]) == labels.end())
+      section.fail("curves", not_among(curves[k], fmt::format("no value of '{}'", by).c_str(), labels));
+    if (std::ranges::find(curves, curves[k]) != curves.begin() + static_cast<std::ptrdiff_t>(k))
+      section.fail("curves", fmt::format("{} stands there twice", curves[k]));
+  }
+  return curves;
+}
+
 StudyFigure read_figure(const CaseSection& section, const Study& study) {
   const auto axes = axis_names(study);
   std::vector<std::string> outputs;
@@ -149,11 +171,13 @@ StudyFigure read_figure(const CaseSection& section, const Study& study) {
                      .x = among("x", section.text("x"), columns, "the name of no axis and of no output"),
                      .y = section.texts("y"),
                      .by = maybe_axis("by"),
+                     .curves = {},
                      .panels = maybe_axis("panels"),
                      .log_x = section.boolean("log_x"),
                      .log_y = section.boolean("log_y"),
                      .slope = section.maybe_number("slope")};
   if (figure.y.empty()) section.fail("y", "the list is empty");
+  figure.curves = read_curves(section, figure.by, study);
   for (const auto& name : figure.y) (void)among("y", name, outputs, "the name of no output");
   return figure;
 }

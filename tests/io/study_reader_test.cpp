@@ -100,6 +100,16 @@ TEST(Study, ReadsOutputsFiguresAndAReference) {
   EXPECT_FALSE(study.branches);  // outputs are asked for instead
 }
 
+TEST(Study, FiguresDrawAllValuesOrThoseThatTheyName) {
+  const std::string text = axis_of_cells +
+                           "labels = [\"a\", \"b\"]\n[[output]]\nname = \"o\"\nvalue = \"steps\"\n"
+                           "[[figure]]\nname = \"f\"\nx = \"o\"\ny = [\"o\"]\n";
+  const std::string by = "by = \"cloth.cells\"\n";
+  EXPECT_EQ(study_of(text).figures.at(0).curves, (Texts{}));
+  EXPECT_EQ(study_of(text + by).figures.at(0).curves, (Texts{"a", "b"}));
+  EXPECT_EQ(study_of(text + by + "curves = [\"b\", \"a\"]\n").figures.at(0).curves, (Texts{"b", "a"}));
+}
+
 struct Bad {
   std::string text;  // from line 2 on
   int line;
@@ -108,6 +118,9 @@ struct Bad {
 
 TEST(Study, RefusesWhatIsWrongWithFileLineAndKey) {
   const std::string axis = "[[axis]]\nkey = \"cloth.waviness.seed\"\nvalues = ";
+  const std::string figure =
+      "[[output]]\nname = \"o\"\nvalue = \"steps\"\n[[figure]]\nname = \"f\"\nx = \"o\"\ny = [\"o\"]\n";
+  const std::string by = "by = \"cloth.waviness.seed\"\n";
   const std::vector<Bad> all{
       {"", 1, "axis", "missing"},
       {"axis = []\n", 2, "axis", "needs an axis"},
@@ -136,6 +149,10 @@ TEST(Study, RefusesWhatIsWrongWithFileLineAndKey) {
       {axis + "[1]\n[[output]]\nname = \"status\"\nvalue = \"steps\"\n", 6, "output.0.name", "another column"},
       {axis + "[1]\n[[output]]\nname = \"o\"\nvalue = \"steps\"\n[[figure]]\nname = \"f\"\nx = \"o\"\ny = [\"oo\"]\n",
        11, "figure.0.y", "did you mean 'o'"},
+      {axis + "[1, 2]\n" + figure + "curves = [\"1\"]\n", 12, "figure.0.curves", "with `by`"},
+      {axis + "[1, 2]\n" + figure + by + "curves = []\n", 13, "figure.0.curves", "empty"},
+      {axis + "[1, 2]\n" + figure + by + "curves = [\"1\", \"3\"]\n", 13, "figure.0.curves", "accepted: 1, 2"},
+      {axis + "[1, 2]\n" + figure + by + "curves = [\"2\", \"2\"]\n", 13, "figure.0.curves", "2 stands there twice"},
       {axis + "[1]\n[branches]\nsame_shape = 2\n", 6, "branches.same_shape", "outside (0, 1]"},
       {axis + "[1]\n[branches]\ngroup_by = [\"cloth.waviness.sed\"]\n", 6, "branches.group_by", "did you mean"},
       {axis + "[1]\n[branches]\ngroup_by = [3]\n", 6, "branches.group_by.0", "a string is expected"},

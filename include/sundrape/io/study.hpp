@@ -46,7 +46,9 @@ struct StudyFigure {
   std::string x;               // name of an axis or of an output
   std::vector<std::string> y;  // names of outputs
   std::string by;              // the axis that makes a curve of each of its values; empty: one curve
-  std::string panels;          // the axis that makes a panel of each of its values; empty: one panel
+  std::vector<std::string>
+      curves;          // labels of the values of `by` that are drawn, in this order; all unless the file says
+  std::string panels;  // the axis that makes a panel of each of its values; empty: one panel
   bool log_x = false, log_y = false;
   std::optional<double> slope;  // of a straight line for the eye, in log-log axes
 };
