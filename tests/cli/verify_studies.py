@@ -9,9 +9,9 @@ from command_line import CASES, CommandLineTest
 class ReadyMade(CommandLineTest):
     timeout = 1500
 
-    def table(self, name, status=0):
+    def table(self, name, status=(0,)):
         done = self.sundrape("study", CASES / f"studies/{name}.toml", "-o", name, "--quiet")
-        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertIn(done.returncode, status, done.stderr)
         with (self.folder / name / "study.csv").open() as file:
             return list(csv.DictReader(file))
 
@@ -25,7 +25,7 @@ class ReadyMade(CommandLineTest):
             self.assertAlmostEqual(math.log2(middle / fine), 2, delta=0.4)
 
     def test_runge_kutta_is_of_fourth_order_up_to_its_limit(self):
-        rows = self.table("time_step_rk4", status=1)  # steps beyond the limit fail, which is what they are for
+        rows = self.table("time_step_rk4", status=(1,))  # steps beyond the limit fail, which is what they are for
         errors = [float(r["error [%]"]) for r in rows if r["status"] == "done"]
         self.assertAlmostEqual(math.log2(errors[1] / errors[0]), 4, delta=0.1)
         self.assertAlmostEqual(math.log2(errors[2] / errors[1]), 4, delta=0.1)
@@ -47,12 +47,37 @@ class ReadyMade(CommandLineTest):
             _, soft, stiff = [float(r["strain [%]"]) for r in rows if r["bending"] == bending]
             self.assertAlmostEqual(soft / stiff, 10, delta=0.5)  # the same pull, up to strains of 0.3 % in where the strip goes
 
-    def test_every_method_comes_nearer_with_its_tolerance(self):
-        rows = self.table("time_step_swing")
+    def test_methods_without_damping_come_nearer_with_their_tolerance_unless_they_gain_energy(self):
+        # BDF of orders 3 to 5 gains energy in undamped modes; by the machine's speed its longest runs end in time, or fail
+        rows = self.table("time_step_swing", status=(0, 1))
+        gaining = [f"{name} {order}" for name in ("CVODE", "IDA") for order in (3, 4, 5)]
+        stable = [r for r in rows if r["method"] not in gaining]
+        self.comes_nearer(stable, 0.2)
+        for r in stable:
+            if float(r["rtol"]) <= 1e-5 and r["method"] not in ("CVODE 1", "IDA 1"):
+                self.assertLess(float(r["lost or gained [%]"]), 0.2, r["run"])
+        for method in gaining[:3]:  # ten times the energy that it falls by; IDA 5 happens to pass
+            wrecked = [r for r in rows if r["method"] == method and (r["status"] != "done" or float(r["lost or gained [%]"]) > 1000)]
+            self.assertTrue(wrecked, method)
+
+    def test_methods_come_nearer_with_their_tolerance_in_contact_and_damped(self):
+        self.comes_nearer(self.table("time_step_fold"), 0.1)
+        rows = self.table("time_step_tablecloth")
+        # by an order of 1 the folds still go another way at the tightest tolerance
+        self.comes_nearer([r for r in rows if r["method"] not in ("CVODE 1", "IDA 1")], 0.02)
+
+    def comes_nearer(self, rows, most):
+        """Each method's error falls to a thirtieth from its loosest to its tightest tolerance, and below `most` [%]."""
         for method in dict.fromkeys(r["method"] for r in rows):
-            errors = [float(r["error [%]"]) for r in rows if r["method"] == method]
-            self.assertLess(errors[-1], 0.03 * errors[0], method)
-            self.assertLess(errors[-1], 0.1, method)  # of the diagonal
+            runs = [r for r in rows if r["method"] == method]
+            self.assertEqual({r["status"] for r in runs}, {"done"}, method)
+            errors = [float(r["error [%]"]) for r in runs]
+            if method == "RK4":  # has no tolerance: one run, told six times
+                self.assertEqual(len(set(errors)), 1)
+                self.assertLess(errors[0], 1e-4)
+                continue
+            self.assertLess(errors[-1], errors[0] / 30, method)
+            self.assertLess(errors[-1], most, method)
 
 
 if __name__ == "__main__":
