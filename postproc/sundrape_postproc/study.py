@@ -17,8 +17,8 @@ from .errors import BAD_USE, PostprocError
 from .json_report import read_report
 from .page import DPI, STYLE
 
-# Okabe-Ito colours in an order of lightness that grey printing keeps apart, then grey and two of them again; each has a marker
-# of its own, and dashes that those of its colour and its neighbours do not have
+# Okabe-Ito colours in an order of lightness that grey printing keeps apart, then grey and two of them again with other dashes;
+# each has a marker of its own
 LOOKS = (
     ("#0072B2", "o", "-"),
     ("#D55E00", "s", (0, (5, 1.6))),
@@ -115,8 +115,7 @@ def curve_labels(study: Study, figure: dict[str, Any]) -> tuple[str, ...]:
 
 
 def curves(study: Study, figure: dict[str, Any], y: str, panel: int | None) -> Iterator[Curve]:
-    """Of one panel: one for each value of `by` that is drawn, and for each combination of the axes that the figure does not
-    name."""
+    """Of one panel: one for each value of `by` that is drawn and each combination of the axes that are not named."""
     named = [figure["x"], figure["by"], figure["panels"]]
     others = [k for k, axis in enumerate(study.axes) if axis.name not in named]
     if study.axis(figure["x"]) is None and others:
@@ -187,8 +186,13 @@ def _panel(axes: Axes, study: Study, figure: dict[str, Any], y: str, drawn: Sequ
     k = study.axis(figure["x"])
     if k is not None:
         axes.set_xlabel(study.axes[k].title)
-        if study.axes[k].numbers is None:
+        numbers = study.axes[k].numbers
+        if numbers is None:
             axes.set_xticks(range(len(study.axes[k].labels)), study.axes[k].labels)
+        elif figure["log_x"] and len(numbers) <= 6 and max(numbers) < 100 * min(numbers):
+            # powers of ten are too few there, and matplotlib's labels between them run into each other
+            axes.set_xticks(numbers, [f"{number:.4g}" for number in numbers])
+            axes.set_xticks([], minor=True)
     else:
         axes.set_xlabel(next(output.title for output in study.outputs if output.name == figure["x"]))
     axes.set_ylabel(next(output.title for output in study.outputs if output.name == y))

@@ -74,6 +74,12 @@ class Figures(Folders):
         self.assertEqual(len({marker for _, marker, _ in study.LOOKS}), len(study.LOOKS))
         self.assertEqual(len({(colour, str(dashes)) for colour, _, dashes in study.LOOKS}), len(study.LOOKS))
 
+    def test_a_logarithmic_axis_of_few_values_has_ticks_at_them(self):
+        self.study["axes"][0]["numbers"] = [20, 40, 80]
+        page = study.draw(self.read(), figure(x="rtol"))
+        self.assertEqual([text.get_text() for text in page.axes[0].get_xticklabels()], ["20", "40", "80"])
+        self.assertEqual(list(page.axes[0].get_xticks(minor=True)), [])
+
     def test_every_figure_becomes_a_file(self):
         self.study["figures"] = [figure(slope=-2), figure(name="words", x="method", by="rtol", log_x=False)]
         self.write("study.json", self.study)
