@@ -124,8 +124,11 @@ def filmstrip(
 
 
 def save(figure: Figure, path: Path) -> None:
+    # SVG has a date and random names otherwise, and differs each time
+    metadata = {"Date": None} if path.suffix == ".svg" else None
     try:
-        figure.savefig(path, dpi=DPI)
+        with plt.rc_context({"svg.hashsalt": "sundrape"}):
+            figure.savefig(path, dpi=DPI, metadata=metadata)
     except (OSError, ValueError) as trouble:
         raise PostprocError(f"{path}: cannot be written: {trouble}") from trouble
     finally:

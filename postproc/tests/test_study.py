@@ -87,6 +87,9 @@ class Figures(Folders):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr, "")
         self.assertEqual(sorted(p.name for p in (self.folder / "figures").iterdir()), ["words.svg", "work.svg"])
+        first = (self.folder / "figures/work.svg").read_bytes()
+        command("study", self.folder, "-o", self.folder / "figures", "--format", "svg")
+        self.assertEqual((self.folder / "figures/work.svg").read_bytes(), first)
 
     def test_what_is_refused(self):
         self.write("study.json", self.study)
