@@ -5,6 +5,8 @@ import unittest
 
 from command_line import CASES, CommandLineTest
 
+FIRST_ORDER = ("CVODE 1", "IDA 1")
+
 
 class ReadyMade(CommandLineTest):
     timeout = 1500
@@ -55,22 +57,23 @@ class ReadyMade(CommandLineTest):
         rows = self.table("time_step_swing", status=(0, 1))
         gaining = [f"{name} {order}" for name in ("CVODE", "IDA") for order in (3, 4, 5)]
         stable = [r for r in rows if r["method"] not in gaining]
-        self.comes_nearer(stable, 0.2)
+        self.comes_nearer([r for r in stable if r["method"] in FIRST_ORDER], 0.2)
+        self.comes_nearer([r for r in stable if r["method"] not in FIRST_ORDER], 0.02)
         for r in stable:
-            if float(r["rtol"]) <= 1e-5 and r["method"] not in ("CVODE 1", "IDA 1"):
+            if float(r["rtol"]) <= 1e-5 and r["method"] not in FIRST_ORDER:
                 self.assertLess(float(r["lost or gained [%]"]), 0.2, r["run"])
-        for method in gaining[:3]:  # ten times the energy that it falls by; IDA 5 happens to pass
-            wrecked = [r for r in rows if r["method"] == method and (r["status"] != "done" or float(r["lost or gained [%]"]) > 1000)]
-            self.assertTrue(wrecked, method)
+        for method in gaining[:-1]:  # ten times the energy by which it falls; IDA 5 escapes at these tolerances
+            runs = [r for r in rows if r["method"] == method]
+            self.assertTrue(any(r["status"] != "done" or float(r["lost or gained [%]"]) > 1000 for r in runs), method)
 
     def test_methods_come_nearer_with_their_tolerance_in_contact_and_damped(self):
         self.comes_nearer(self.table("time_step_fold"), 0.1)
         rows = self.table("time_step_tablecloth")
         # by an order of 1 the folds still go another way at the tightest tolerance
-        self.comes_nearer([r for r in rows if r["method"] not in ("CVODE 1", "IDA 1")], 0.02)
+        self.comes_nearer([r for r in rows if r["method"] not in FIRST_ORDER], 0.02)
 
     def comes_nearer(self, rows, most):
-        """Each method's error falls to a thirtieth from its loosest to its tightest tolerance, and below `most` [%]."""
+        """Each method's error falls to 3 % from its loosest to its tightest tolerance, and below `most` [%]."""
         for method in dict.fromkeys(r["method"] for r in rows):
             runs = [r for r in rows if r["method"] == method]
             self.assertEqual({r["status"] for r in runs}, {"done"}, method)
@@ -79,7 +82,7 @@ class ReadyMade(CommandLineTest):
                 self.assertEqual(len(set(errors)), 1)
                 self.assertLess(errors[0], 1e-4)
                 continue
-            self.assertLess(errors[-1], errors[0] / 30, method)
+            self.assertLess(errors[-1], 0.03 * errors[0], method)
             self.assertLess(errors[-1], most, method)
 
 
