@@ -20,10 +20,9 @@ Sensitivities::Sensitivities(const Case& c, const CaseModel& model)
         throw CaseError(p.source,
                         fmt::format("'{}' is {:.10g}, at the edge of {}: a derivative needs room on both sides", p.key,
                                     p.value, p.range.text()));
-    Parameter made{size, build_model(with_parameter(c, p, p.value - change)),
-                   build_model(with_parameter(c, p, p.value + change)), nullptr};
+    Parameter made{size, build_model(with_parameter(c, p, p.value + change)), nullptr};
     try {
-      made.derivative = std::make_unique<ParameterDerivative>(*made.lower.system, *made.upper.system);
+      made.derivative = std::make_unique<ParameterDerivative>(*model.system, *made.changed.system);
     } catch (const std::invalid_argument& problem) {
       throw CaseError(p.source, fmt::format("'{}': {}", p.key, problem.what()));
     }
@@ -34,7 +33,7 @@ Sensitivities::Sensitivities(const Case& c, const CaseModel& model)
 std::vector<Vector> Sensitivities::of_start() const {
   std::vector<Vector> start;
   for (const auto& p : parameters_)
-    start.emplace_back((p.upper.initial - p.lower.initial) / (2 * ParameterDerivative::relative_change));
+    start.emplace_back((p.changed.initial - model_.initial) / ParameterDerivative::relative_change);
   return start;
 }
 
@@ -46,7 +45,7 @@ std::vector<ParameterDerivative*> Sensitivities::derivatives() {
 
 std::vector<const CaseModel*> Sensitivities::models() const {
   std::vector<const CaseModel*> all;
-  for (const auto& p : parameters_) all.insert(all.end(), {&p.lower, &p.upper});
+  for (const auto& p : parameters_) all.push_back(&p.changed);
   if (exact_) all.push_back(&*exact_);
   return all;
 }

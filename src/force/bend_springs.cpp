@@ -57,43 +57,59 @@ void add_rate_change(EdgeTangent<Batch3x3>& t, const BasicHingeAngle<Batch>& hin
 }
 
 /// −∂²/∂x_p∂x_q of springs inside a sheet of straight crossing threads, where a = x₁ − x₀, b = x₂ − x₁, c = x₃ − x₄.
+/// Blocks above the diagonal are kept only where they are no transposes.
+template <bool exact>
 class PlainBlocks {
  public:
-  explicit PlainBlocks(const EdgeTangent<Batch3x3>& t) {
-    const Batch3x3 aa_ab = t.aa - t.ab, bb_ab = t.bb - t.ab, bc_ac = (t.bc - t.ac).transpose();
+  [[gnu::flatten]] explicit PlainBlocks(const EdgeTangent<Batch3x3>& t) {
+    const Batch3x3 aa_ab = t.aa - t.ab, bb_ab = t.bb - t.ab, bc_ac = t.bc - t.ac;
     store(own0, -t.aa);
-    store(own1, -bb_ab - aa_ab.transpose());
     store(own2, -t.bb);
     store(own34, -t.cc);
-    store(below10, aa_ab.transpose());
-    store(below20, t.ab.transpose());
-    store(below30, t.ac.transpose());
-    store(below40, -t.ac.transpose());
-    store(below21, bb_ab.transpose());
-    store(below31, bc_ac);
-    store(below41, -bc_ac);
-    store(below32, -t.bc.transpose());
-    store(below42, t.bc.transpose());
-    store(below43, t.cc);
+    store(both34, t.cc);
+    if constexpr (exact) {
+      const Batch3x3 cb_ca = t.cb - t.ca;
+      store(own1, t.ba - bb_ab - t.aa);
+      store_below(t.aa - t.ba, t.ba, t.ca, t.bb - t.ba, cb_ca, t.cb);
+      store(above01, aa_ab);
+      store(above02, t.ab);
+      store(above03, t.ac);
+      store(above04, -t.ac);
+      store(above12, bb_ab);
+      store(above13, bc_ac);
+      store(above14, -bc_ac);
+      store(above23, -t.bc);
+      store(above24, t.bc);
+    } else {
+      store(own1, -bb_ab - aa_ab.transpose());
+      store_below(aa_ab.transpose(), t.ab.transpose(), t.ac.transpose(), bb_ab.transpose(), bc_ac.transpose(),
+                  t.bc.transpose());
+    }
   }
 
-  void add(std::size_t lane, std::size_t e, Assembler& tangent) const {
+  [[gnu::flatten]] void add(std::size_t lane, std::size_t e, Assembler& tangent) const {
     const auto block = [&](Kind kind) -> const Matrix3& { return blocks_(kind, lane); };
+    const auto add_pair = [&](int p, int q, [[maybe_unused]] Kind above, Kind below) {
+      if constexpr (exact)
+        tangent.add_general_pair(e, p, q, block(above), block(below));
+      else
+        tangent.add_pair_below(e, p, q, block(below));
+    };
     tangent.add_diagonal(e, 0, block(own0));
     tangent.add_diagonal(e, 1, block(own1));
     tangent.add_diagonal(e, 2, block(own2));
     tangent.add_diagonal(e, 3, block(own34));
     tangent.add_diagonal(e, 4, block(own34));
-    tangent.add_pair_below(e, 0, 1, block(below10));
-    tangent.add_pair_below(e, 0, 2, block(below20));
-    tangent.add_pair_below(e, 0, 3, block(below30));
-    tangent.add_pair_below(e, 0, 4, block(below40));
-    tangent.add_pair_below(e, 1, 2, block(below21));
-    tangent.add_pair_below(e, 1, 3, block(below31));
-    tangent.add_pair_below(e, 1, 4, block(below41));
-    tangent.add_pair_below(e, 2, 3, block(below32));
-    tangent.add_pair_below(e, 2, 4, block(below42));
-    tangent.add_pair_below(e, 3, 4, block(below43));
+    add_pair(0, 1, above01, below10);
+    add_pair(0, 2, above02, below20);
+    add_pair(0, 3, above03, below30);
+    add_pair(0, 4, above04, below40);
+    add_pair(1, 2, above12, below21);
+    add_pair(1, 3, above13, below31);
+    add_pair(1, 4, above14, below41);
+    add_pair(2, 3, above23, below32);
+    add_pair(2, 4, above24, below42);
+    add_pair(3, 4, both34, both34);
   }
 
  private:
@@ -102,6 +118,7 @@ class PlainBlocks {
     own1,
     own2,
     own34,
+    both34,
     below10,
     below20,
     below30,
@@ -111,12 +128,33 @@ class PlainBlocks {
     below41,
     below32,
     below42,
-    below43,
+    below_kinds,
+    above01 = below_kinds,
+    above02,
+    above03,
+    above04,
+    above12,
+    above13,
+    above14,
+    above23,
+    above24,
     kinds
   };
   void store(Kind kind, const Batch3x3& block) { blocks_.store(kind, block); }
+  void store_below(const Batch3x3& aa_ba, const Batch3x3& ba, const Batch3x3& ca, const Batch3x3& bb_ba,
+                   const Batch3x3& cb_ca, const Batch3x3& cb) {
+    store(below10, aa_ba);
+    store(below20, ba);
+    store(below30, ca);
+    store(below40, -ca);
+    store(below21, bb_ba);
+    store(below31, cb_ca);
+    store(below41, -cb_ca);
+    store(below32, -cb);
+    store(below42, cb);
+  }
 
-  LaneMatrices<kinds> blocks_;
+  LaneMatrices<exact ? std::size_t{kinds} : std::size_t{below_kinds}> blocks_;
 };
 
 /// One lane's second derivatives, of any kind of spring.
@@ -296,19 +334,28 @@ void BendSprings::add_tangent(const State& state, double dq, double dv, Assemble
       moment += viscosity * v.along(hinge);
     }
     auto t = edge_tangent(hinge, curved, Batch(dq) * tangent_stiffness + Batch(dv) * viscosity, Batch(dq) * moment);
+    const auto transpose = [&t] {
+      t.ba = t.ab.transpose();
+      t.ca = t.ac.transpose();
+      t.cb = t.bc.transpose();
+    };
+    if (exact) {
+      transpose();
+      if (relaxation_time_ > 0) add_rate_change(t, hinge, curved, Batch(dq) * viscosity, v.a, v.b, v.c);
+    }
     std::array<bool, lanes> plain{};
-    for (std::size_t lane = 0; lane < count; ++lane) plain[lane] = !exact && is_plain(e + lane);
+    for (std::size_t lane = 0; lane < count; ++lane) plain[lane] = is_plain(e + lane);
     const auto plain_ones = static_cast<std::size_t>(std::ranges::count(plain, true));
-    if (plain_ones > 0) {
-      const PlainBlocks blocks(t);
+    const auto add_plain = [&](const auto& blocks) {
       for (std::size_t lane = 0; lane < count; ++lane)
         if (plain[lane]) blocks.add(lane, e + lane, tangent);
-    }
+    };
+    if (plain_ones > 0 && exact)
+      add_plain(PlainBlocks<true>(t));
+    else if (plain_ones > 0)
+      add_plain(PlainBlocks<false>(t));
     if (plain_ones == count) return;
-    t.ba = t.ab.transpose();
-    t.ca = t.ac.transpose();
-    t.cb = t.bc.transpose();
-    if (exact && relaxation_time_ > 0) add_rate_change(t, hinge, curved, Batch(dq) * viscosity, v.a, v.b, v.c);
+    if (!exact) transpose();
     const auto blocks = by_lanes(t);
     for (std::size_t lane = 0; lane < count; ++lane)
       if (!plain[lane]) stencil(e + lane).add(of_lane(blocks, lane), e + lane, tangent);

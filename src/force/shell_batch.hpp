@@ -189,29 +189,30 @@ class Shell::Element {
     auto moments = bent.moments;
     add_viscous_moments(curvature, moments);
     curvature_.add_geometric(scaled(moments), h);
-    if (!symmetric)
-      for (std::size_t m = 0; m < modes; ++m)
-        for (std::size_t n = 0; n < m; ++n) h[m][n] = h[n][m].transpose();
-
     auto c = membrane_;
     scale<6>(c, dq + dv * membrane_viscosity);
-    add_product<Membrane, symmetric>(membrane, c, membrane, h);
+    add_product<Membrane, true>(membrane, c, membrane, h);
     auto cs = shear_;
     scale<4>(cs, dq + dv * membrane_viscosity);
-    add_product<TransverseShear, symmetric>(shear, cs, shear, h);
+    add_product<TransverseShear, true>(shear, cs, shear, h);
     std::array<Stiffness<3>, 4> d = bent.tangents;
     for (std::size_t g = 0; g < 4; ++g)
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t l = 0; l < 3; ++l)
           d[g][k][l] = geometric * d[g][k][l] + Batch(dv * bending_viscosity) * bending_[g][k][l];
-    if (symmetric && !shell_.section_.bending.is_symmetric())
+    const bool skew = !shell_.section_.bending.is_symmetric();
+    if (symmetric && skew)
       for (auto& at_point : d)
         for (std::size_t k = 0; k < 3; ++k)
           for (std::size_t l = 0; l < k; ++l)
             at_point[k][l] = at_point[l][k] = Batch(0.5) * (at_point[k][l] + at_point[l][k]);
-    add_product<Curvature, symmetric>(curvature, gathered(d), curvature, h);
+    if (symmetric || !skew) add_product<Curvature, true>(curvature, gathered(d), curvature, h);
+    if (symmetric) return;
 
-    if (symmetric || !damped_ || dq == 0) return;
+    for (std::size_t m = 0; m < modes; ++m)
+      for (std::size_t n = 0; n < m; ++n) h[m][n] = h[n][m].transpose();
+    if (skew) add_product<Curvature, false>(curvature, gathered(d), curvature, h);
+    if (!damped_ || dq == 0) return;
     auto viscous = membrane_;
     scale<6>(viscous, dq * membrane_viscosity);
     add_product<Membrane, false>(membrane, viscous, Membrane::gradient(v_), h);

@@ -1,5 +1,7 @@
 #pragma once
 // From the modes of a shell element to its nodes and directors, and back.
+#include <algorithm>
+
 #include "batch.hpp"
 #include "shell_strains.hpp"
 
@@ -93,19 +95,23 @@ inline void add_symmetric_blocks(const Blocks& h, double director_length, std::s
 /// Adds −h, known in full, to a matrix that keeps unsymmetric blocks.
 inline void add_general_blocks(const Blocks& h, double director_length, std::size_t e, std::size_t count,
                                Assembler& tangent) {
-  constexpr std::array<Mode, 4> of_x{a, b, c, d}, of_t{da, db, dc, d};
-  constexpr std::array<std::array<double, 4>, 4> sign{// of the modes of either list at the nodes
-                                                      {{-1, 1, -1, 1}, {1, -1, -1, 1}, {1, 1, 1, 1}, {-1, -1, 1, 1}}};
-  LaneMatrices<64> nodal;
-  for (std::size_t q = 0; q < 8; ++q)
-    for (std::size_t p = 0; p < 8; ++p) {
-      const std::size_t rows = q < 4 ? 3 : 4, columns = p < 4 ? 3 : 4;
-      Batch3x3 sum = Batch3x3::Constant(Batch(0.0));
-      for (std::size_t i = 0; i < rows; ++i)
-        for (std::size_t j = 0; j < columns; ++j)
-          sum += Batch(sign[q % 4][i] * sign[p % 4][j]) * h[(q < 4 ? of_x : of_t)[i]][(p < 4 ? of_x : of_t)[j]];
-      nodal.store(8 * q + p, Batch(-0.0625 / (q < 4 ? 1 : director_length) / (p < 4 ? 1 : director_length)) * sum);
+  constexpr std::array<Mode, 7> rows{a, b, c, da, db, dc, d};
+  std::array<std::array<Batch3x3, 8>, 7> half;  // modes by nodes and directors
+  for (std::size_t i = 0; i < 7; ++i) {
+    const auto& row = h[rows[i]];
+    std::ranges::copy(at_nodes<Batch3x3>(row[a], row[b], row[c]), half[i].begin());
+    std::ranges::copy(at_nodes<Batch3x3>(row[da], row[db], row[dc], row[d]), half[i].begin() + 4);
+  }
+  LaneMatrices<64> nodal;  // (q, p) at 8q + p
+  for (std::size_t p = 0; p < 8; ++p) {
+    const double of_column = -0.0625 / (p < 4 ? 1 : director_length);
+    const auto x = at_nodes<Batch3x3>(half[0][p], half[1][p], half[2][p]);
+    const auto t = at_nodes<Batch3x3>(half[3][p], half[4][p], half[5][p], half[6][p]);
+    for (std::size_t q = 0; q < 4; ++q) {
+      nodal.store(8 * q + p, Batch(of_column) * x[q]);
+      nodal.store(8 * (4 + q) + p, Batch(of_column / director_length) * t[q]);
     }
+  }
   for (std::size_t lane = 0; lane < count; ++lane)
     for (std::size_t q = 0; q < 8; ++q) {
       for (std::size_t p = 0; p < q; ++p)

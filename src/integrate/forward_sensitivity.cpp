@@ -17,12 +17,12 @@ ForwardSensitivity::ForwardSensitivity(const System& system, std::unique_ptr<Lin
                                        std::vector<ParameterDerivative*> parameters, BdfForm form, int max_order)
     : system_(system),
       condensed_(system, std::move(solver), tolerance),
+      forces_(system),
       parameters_(std::move(parameters)),
       history_(form, max_order),
       past_(parameters_.size()) {
-  for (auto* rows : {&rows_q_, &rows_v_, &acceleration_, &right_side_, &by_parameter_, &s_, &product_rows_})
-    rows->setZero(system.unknowns().size());
-  for (auto* all : {&shifted_, &force_, &product_, &supports_q_, &supports_v_}) all->setZero(3 * system.mass().size());
+  for (auto* rows : {&rows_q_, &rows_v_, &acceleration_, &product_rows_}) rows->setZero(system.unknowns().size());
+  for (auto* all : {&shifted_, &product_, &supports_q_, &supports_v_}) all->setZero(3 * system.mass().size());
 }
 
 void ForwardSensitivity::set(const std::vector<Vector>& q, const std::vector<Vector>& v) {
@@ -65,7 +65,7 @@ void ForwardSensitivity::add_damping_product(const State& all, ConstVectorRef ra
   unknowns.scatter(rates, shifted_);
   shifted_ = all.v + change * shifted_;
   system_.force({all.time, all.q, shifted_}, product_);
-  product_ = (force_ - product_) / change;
+  product_ = (forces_.sum() - product_) / change;
   for (int r = 0; r < unknowns.rows(); ++r)
     point(right_side, r) += point(product_, unknowns.point_of_row()[static_cast<std::size_t>(r)]);
 }
@@ -82,31 +82,36 @@ void ForwardSensitivity::step(const StepReport& report, const State& all) {
     throw IntegrationFailure(fmt::format("the sensitivities cannot be computed at t = {:.6g} s: {}", report.time, why));
   };
   if (condensed_.prepare(report.time, c, rows_q_, rows_v_) != FactorStatus::ok) fail("the matrix is singular");
-  system_.force(all, force_);
-  unknowns.gather(force_, acceleration_);
+  forces_.evaluate(all);
+  unknowns.gather(forces_.sum(), acceleration_);
   for (int r = 0; r < unknowns.rows(); ++r) point(acceleration_, r) *= mass[r] > 0 ? 1 / mass[r] : 0.0;
+  const auto count = static_cast<Eigen::Index>(parameters_.size());
+  right_sides_.resize(n, count);
+  std::vector<Vector> g, y;
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
-    const Vector g = history_.g(past_[k]);
-    parameters_[k]->force(all, by_parameter_);
-    right_side_ = by_parameter_;
+    auto right_side = right_sides_.col(static_cast<Eigen::Index>(k));
+    g.push_back(history_.g(past_[k]));
+    y.push_back(history_.predicted(past_[k]));
+    parameters_[k]->force(forces_, right_side);
     const auto& mass_change = parameters_[k]->row_mass();
     for (int r = 0; r < unknowns.rows(); ++r)
-      point(right_side_, r) +=
-          mass[r] * (g.segment<3>(n + 3 * r) + c * g.segment<3>(3 * r)) - mass_change[r] * point(acceleration_, r);
-    add_damping_product(all, g.head(n), right_side_);
-    unknowns.clear_held(right_side_);
+      right_side.segment<3>(3 * r) += mass[r] * (g[k].segment<3>(n + 3 * r) + c * g[k].segment<3>(3 * r)) -
+                                      mass_change[r] * point(acceleration_, r);
+    add_damping_product(all, g[k].head(n), right_side);
+    unknowns.clear_held(right_side);
     // the prediction is good to some digits, which then need not be solved for
-    Vector y = history_.predicted(past_[k]);
-    condensed_.matrix().multiply(y.head(n), product_rows_);
-    right_side_ -= product_rows_;
-    unknowns.clear_held(right_side_);
-    const auto solved = condensed_.solver().solve(right_side_, s_, tolerance);
-    linear_iterations_ += solved.iterations;
-    if (!solved.ok || !s_.allFinite()) fail(solved.problem);
-    y.head(n) += s_;
-    y.tail(n) = c * y.head(n) - g.head(n);
-    follow_supports(report.time, k, y);
-    history_.accept(y, g, past_[k]);
+    condensed_.matrix().multiply(y[k].head(n), product_rows_);
+    right_side -= product_rows_;
+    unknowns.clear_held(right_side);
+  }
+  const auto solved = condensed_.solver().solve_all(right_sides_, s_, tolerance);
+  linear_iterations_ += solved.iterations;
+  if (!solved.ok || !s_.allFinite()) fail(solved.problem);
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    y[k].head(n) += s_.col(static_cast<Eigen::Index>(k));
+    y[k].tail(n) = c * y[k].head(n) - g[k].head(n);
+    follow_supports(report.time, k, y[k]);
+    history_.accept(y[k], g[k], past_[k]);
   }
   history_.end_step();
 }

@@ -132,27 +132,48 @@ void BlockIncompleteCholesky::eliminate(int column) {
   }
 }
 
-void BlockIncompleteCholesky::apply(ConstPaddedRef r, PaddedRef z) const {
+template <int vectors>
+void BlockIncompleteCholesky::apply_to(const float* r, float* z) const {
+  constexpr Eigen::Index row = 4 * vectors;
   const float* const block = blocks_.data();
   const int n = structure_->size();
   for (int i = 0; i < n; ++i) {  // (I + L) w = r
-    Sum sum;
-    for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < structure_->diagonal(i); ++k)
-      sum.add(load_block(block + block_floats * k),
-              z.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
-    store(z.data() + 4 * Eigen::Index{i}, load(r.data() + 4 * Eigen::Index{i}) - sum.total());
+    std::array<Sum, vectors> sum;
+    for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < structure_->diagonal(i); ++k) {
+      const auto b = load_block(block + block_floats * k);
+      const float* const from = z + row * structure_->column[static_cast<std::size_t>(k)];
+      for (std::size_t v = 0; v < vectors; ++v) sum[v].add(b, from + 4 * v);
+    }
+    for (std::size_t v = 0; v < vectors; ++v) store(z + row * i + 4 * v, load(r + row * i + 4 * v) - sum[v].total());
   }
   for (int j = n - 1; j >= 0; --j) {  // (I + Lᵀ) z = D⁻¹ w
-    float* const z_j = z.data() + 4 * Eigen::Index{j};
-    Sum scaled;
-    scaled.add(load_block(block + block_floats * structure_->diagonal(j)), z_j);
-    TransposedSum below;
+    float* const z_j = z + row * j;
+    const auto inverse = load_block(block + block_floats * structure_->diagonal(j));
+    std::array<Sum, vectors> scaled;
+    std::array<TransposedSum, vectors> below;
+    for (std::size_t v = 0; v < vectors; ++v) scaled[v].add(inverse, z_j + 4 * v);
     for (auto k = columns_.start[static_cast<std::size_t>(j) + 1]; k-- > columns_.start[static_cast<std::size_t>(j)];) {
       const auto place = static_cast<std::size_t>(k);
-      below.add(load_block(block + block_floats * columns_.block[place]),
-                load(z.data() + 4 * Eigen::Index{columns_.row[place]}));
+      const auto b = load_block(block + block_floats * columns_.block[place]);
+      const float* const from = z + row * columns_.row[place];
+      for (std::size_t v = 0; v < vectors; ++v) below[v].add(b, load(from + 4 * v));
     }
-    store(z_j, scaled.total() - below.total());
+    for (std::size_t v = 0; v < vectors; ++v) store(z_j + 4 * v, scaled[v].total() - below[v].total());
+  }
+}
+
+void BlockIncompleteCholesky::apply(ConstPaddedRef r, PaddedRef z) const { apply_to<1>(r.data(), z.data()); }
+
+void BlockIncompleteCholesky::apply_together(ConstPaddedRef r, PaddedRef z) const {
+  switch (r.size() / (4 * structure_->size())) {
+    case 1:
+      return apply_to<1>(r.data(), z.data());
+    case 2:
+      return apply_to<2>(r.data(), z.data());
+    case 3:
+      return apply_to<3>(r.data(), z.data());
+    default:
+      return apply_to<PaddedMatrix::together>(r.data(), z.data());
   }
 }
 

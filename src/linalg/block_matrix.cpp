@@ -1,10 +1,40 @@
 #include "sundrape/linalg/block_matrix.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <type_traits>
 
 namespace sundrape {
 namespace {
+
+/// y = A x of m columns that lie one after the other, A unsymmetric: row i is the first to touch y_i.
+template <std::size_t m>
+void multiply_columns(const BlockMatrix& a, const double* x, double* y) {
+  const auto& structure = a.structure();
+  const Eigen::Index n = 3 * Eigen::Index{a.size()};
+  const auto at = [n](auto* v, std::size_t column, Eigen::Index row) {
+    return Eigen::Map<std::conditional_t<std::is_const_v<std::remove_pointer_t<decltype(v)>>, const Vector3, Vector3>>(
+        v + n * static_cast<Eigen::Index>(column) + 3 * row);
+  };
+  for (int i = 0; i < a.size(); ++i) {
+    std::array<Vector3, m> x_i, sum;
+    const auto own = a.lower(structure.diagonal(i));
+    for (std::size_t c = 0; c < m; ++c) {
+      x_i[c] = at(x, c, i);
+      sum[c] = own * x_i[c];
+    }
+    for (auto k = structure.row_start[static_cast<std::size_t>(i)]; k < structure.diagonal(i); ++k) {
+      const auto j = structure.column[static_cast<std::size_t>(k)];
+      const auto below = a.lower(k), above = a.upper(k);
+      for (std::size_t c = 0; c < m; ++c) {
+        sum[c] += below * at(x, c, j);
+        at(y, c, j) += above * x_i[c];
+      }
+    }
+    for (std::size_t c = 0; c < m; ++c) at(y, c, i) = sum[c];
+  }
+}
 
 /// One 3-vector of x; x may be const or not.
 template <class V>
@@ -60,14 +90,15 @@ void BlockMatrix::multiply(ConstVectorRef x, VectorRef y) const {
   if (symmetry_ == Symmetry::symmetric)
     multiply_symmetric(x, y);
   else
-    multiply_unsymmetric(x, y);
+    multiply_columns<1>(*this, x.data(), y.data());
 }
 
 // Row i is the first to touch y_i (rows below add to it later), so y needs no clearing.
 void BlockMatrix::multiply_symmetric(ConstVectorRef x, VectorRef y) const {
   for (int i = 0; i < size(); ++i) {
     const Vector3 x_i = row3(x, i);
-    Vector3 sum = diagonal(i) * x_i;
+    const auto own = lower(structure_->diagonal(i));
+    Vector3 sum = 0.5 * (own * x_i + own.transpose() * x_i);
     for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < structure_->diagonal(i); ++k) {
       const auto j = structure_->column[static_cast<std::size_t>(k)];
       const auto block = lower(k);
@@ -78,16 +109,29 @@ void BlockMatrix::multiply_symmetric(ConstVectorRef x, VectorRef y) const {
   }
 }
 
-void BlockMatrix::multiply_unsymmetric(ConstVectorRef x, VectorRef y) const {
-  for (int i = 0; i < size(); ++i) {
-    const Vector3 x_i = row3(x, i);
-    Vector3 sum = diagonal(i) * x_i;
-    for (auto k = structure_->row_start[static_cast<std::size_t>(i)]; k < structure_->diagonal(i); ++k) {
-      const auto j = structure_->column[static_cast<std::size_t>(k)];
-      sum += lower(k) * row3(x, j);
-      row3(y, j) += upper(k) * x_i;
+void BlockMatrix::multiply_all(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const {
+  if (x.rows() != 3 * size()) throw std::invalid_argument("a vector does not have the length of its matrix");
+  y.resize(x.rows(), x.cols());
+  if (symmetry_ == Symmetry::symmetric) {
+    for (Eigen::Index c = 0; c < x.cols(); ++c) multiply_symmetric(x.col(c), y.col(c));
+    return;
+  }
+  for (Eigen::Index c = 0; c < x.cols(); c += 4) {
+    const double* const from = x.data() + c * x.rows();
+    double* const to = y.data() + c * y.rows();
+    switch (std::min<Eigen::Index>(4, x.cols() - c)) {
+      case 1:
+        multiply_columns<1>(*this, from, to);
+        break;
+      case 2:
+        multiply_columns<2>(*this, from, to);
+        break;
+      case 3:
+        multiply_columns<3>(*this, from, to);
+        break;
+      default:
+        multiply_columns<4>(*this, from, to);
     }
-    row3(y, i) = sum;
   }
 }
 

@@ -1,15 +1,22 @@
 #include "sundrape/linalg/conjugate_gradients.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "sundrape/linalg/block_incomplete_cholesky.hpp"
+
+#include "lanes.hpp"
 
 namespace sundrape {
 namespace {
 
 // Recursive residuals in single precision are trusted down to here.
 constexpr double least_single_tolerance = 1e-5;
+// and need no look at the true residual down to here.
+constexpr double least_unchecked_tolerance = 1e-3;
 
 enum class End { converged, too_large, too_many_iterations, negative_curvature, not_finite };
 
@@ -51,6 +58,100 @@ Outcome iterate(V& x, V& r, double tolerance, double largest, int max_iterations
     if (static_cast<double>(x.norm()) > largest) return {End::too_large, iteration + 1};
   }
 }
+
+/// Conjugate gradients for m right sides side by side, from x = 0. Those that have ended stay as they are.
+template <std::size_t m>
+class Together {
+ public:
+  /// @param r  right sides, 4mn; overwritten
+  Together(const PaddedMatrix& matrix, const Preconditioner& preconditioner, PaddedVector& r)
+      : matrix_(matrix),
+        preconditioner_(preconditioner),
+        r_(r),
+        x_(PaddedVector::Zero(r.size())),
+        p_(PaddedVector::Zero(r.size())),
+        q_(r.size()),
+        z_(r.size()) {
+    runs_.fill(true);
+  }
+
+  [[nodiscard]] const PaddedVector& x() const { return x_; }
+  [[nodiscard]] const std::array<Outcome, m>& ends() const { return ends_; }
+
+  /// Down to |r| ≤ tolerance each.
+  void iterate(double tolerance, int max_iterations) {
+    Each rz{};
+    for (int iteration = 0;; ++iteration) {
+      const auto squares = dot(r_, r_);
+      for (std::size_t v = 0; v < m; ++v) {
+        const auto residual = std::sqrt(static_cast<double>(squares[v]));
+        if (!std::isfinite(residual))
+          end(v, End::not_finite, iteration);
+        else if (residual <= tolerance)
+          end(v, End::converged, iteration);
+        else if (iteration == max_iterations)
+          end(v, End::too_many_iterations, iteration);
+      }
+      if (std::ranges::none_of(runs_, std::identity())) return;
+      preconditioner_.apply_together(r_, z_);
+      const auto previous_rz = rz;
+      rz = dot(r_, z_);
+      Each factor{};
+      for (std::size_t v = 0; v < m; ++v)
+        if (runs_[v] && iteration > 0) factor[v] = rz[v] / previous_rz[v];
+      add(z_, factor, p_, p_);
+      matrix_.multiply_together(p_, q_);
+      const auto curvature = dot(p_, q_);
+      Each step{}, back{};
+      for (std::size_t v = 0; v < m; ++v) {
+        if (!std::isfinite(curvature[v]))
+          end(v, End::not_finite, iteration);
+        else if (curvature[v] <= 0)
+          end(v, End::negative_curvature, iteration);
+        if (!runs_[v]) continue;
+        step[v] = rz[v] / curvature[v];
+        back[v] = -step[v];
+      }
+      add(x_, step, p_, x_);
+      add(r_, back, q_, r_);
+    }
+  }
+
+ private:
+  using Each = std::array<float, m>;
+
+  void end(std::size_t v, End how, int iterations) {
+    if (runs_[v]) ends_[v] = {how, iterations};
+    runs_[v] = false;
+  }
+  static Each dot(const PaddedVector& a, const PaddedVector& b) {
+    std::array<Lanes, m> sums;
+    sums.fill(Lanes(0.0F));
+    const float *from_a = a.data(), *from_b = b.data();
+    for (const float* const last = from_a + a.size(); from_a != last; from_a += 4 * m, from_b += 4 * m)
+      for (std::size_t v = 0; v < m; ++v) sums[v] = xsimd::fma(load(from_a + 4 * v), load(from_b + 4 * v), sums[v]);
+    Each result;
+    std::ranges::transform(sums, result.begin(), [](const Lanes& sum) { return xsimd::hadd(sum); });
+    return result;
+  }
+  /// to = a + factor · b, vector by vector.
+  static void add(const PaddedVector& a, const Each& factor, const PaddedVector& b, PaddedVector& to) {
+    std::array<Lanes, m> factors;
+    std::ranges::transform(factor, factors.begin(), [](float f) { return Lanes(f); });
+    const float *from_a = a.data(), *from_b = b.data();
+    float* target = to.data();
+    for (const float* const last = from_a + a.size(); from_a != last; from_a += 4 * m, from_b += 4 * m, target += 4 * m)
+      for (std::size_t v = 0; v < m; ++v)
+        store(target + 4 * v, xsimd::fma(factors[v], load(from_b + 4 * v), load(from_a + 4 * v)));
+  }
+
+  const PaddedMatrix& matrix_;
+  const Preconditioner& preconditioner_;
+  PaddedVector& r_;
+  PaddedVector x_, p_, q_, z_;
+  std::array<bool, m> runs_;
+  std::array<Outcome, m> ends_{};
+};
 
 SolveReport report(const Outcome& outcome, int iterations_before) {
   SolveReport report{.ok = outcome.end == End::converged,
@@ -143,6 +244,47 @@ SolveReport ConjugateGradients::solve(ConstVectorRef b, VectorRef x, double tole
       });
   x = unscale * solution;
   return report(rest, iterations);
+}
+
+SolveReport ConjugateGradients::solve_all(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, double tolerance) {
+  if (matrix_ == nullptr || tolerance < least_unchecked_tolerance || !b.allFinite())
+    return LinearSolver::solve_all(b, x, tolerance);
+  x.setZero(b.rows(), b.cols());
+  SolveReport all;
+  for (Eigen::Index first = 0; first < b.cols() && all.ok; first += PaddedMatrix::together) {
+    const auto count = std::min<Eigen::Index>(PaddedMatrix::together, b.cols() - first);
+    const auto right = b.middleCols(first, count);
+    auto answers = x.middleCols(first, count);
+    all = count == 1   ? solve_together<1>(right, answers, tolerance, all.iterations)
+          : count == 2 ? solve_together<2>(right, answers, tolerance, all.iterations)
+          : count == 3 ? solve_together<3>(right, answers, tolerance, all.iterations)
+                       : solve_together<4>(right, answers, tolerance, all.iterations);
+  }
+  return all;
+}
+
+template <std::size_t m>
+SolveReport ConjugateGradients::solve_together(const Eigen::Ref<const Eigen::MatrixXd>& b,
+                                               Eigen::Ref<Eigen::MatrixXd> x, double tolerance, int iterations) {
+  constexpr auto row = static_cast<Eigen::Index>(4 * m);
+  const Eigen::Index points = b.rows() / 3;
+  const Eigen::RowVectorXd sizes = b.colwise().norm();
+  PaddedVector r = PaddedVector::Zero(row * points);
+  for (Eigen::Index v = 0; v < b.cols(); ++v)
+    for (Eigen::Index i = 0; i < points && sizes[v] > 0; ++i)
+      r.segment<3>(row * i + 4 * v) = (b.col(v).segment<3>(3 * i) / sizes[v]).cast<float>();
+  Together<m> systems(*padded_, *preconditioner_, r);
+  systems.iterate(0.9 * tolerance, max_iterations_);
+  const PaddedVector& solution = systems.x();
+  SolveReport all{.iterations = iterations};
+  for (Eigen::Index v = 0; v < b.cols(); ++v) {
+    for (Eigen::Index i = 0; i < points; ++i)
+      x.col(v).segment<3>(3 * i) = sizes[v] / padded_->scale() * solution.segment<3>(row * i + 4 * v).cast<double>();
+    auto one = report(systems.ends()[static_cast<std::size_t>(v)], all.iterations);
+    if (!one.ok) return one;
+    all = std::move(one);
+  }
+  return all;
 }
 
 }  // namespace sundrape

@@ -1,6 +1,7 @@
 #include "sundrape/linalg/padded_matrix.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -53,21 +54,41 @@ void PaddedMatrix::copy(const BlockMatrix& matrix) {
 }
 
 // Each block is read twice, by its row and by its column, which is cheaper than scattering its transposed products.
-void PaddedMatrix::multiply(ConstPaddedRef x, PaddedRef y) const {
+template <int vectors>
+void PaddedMatrix::multiply_each(const float* x, float* y) const {
+  constexpr Eigen::Index length = 4 * vectors;
   const auto* block = blocks_.data();
   for (int i = 0; i < size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
-    Sum sum;
-    for (auto k = structure_->row_start[row]; k < structure_->row_start[row + 1]; ++k)
-      sum.add(load_block(block + block_floats * k),
-              x.data() + 4 * Eigen::Index{structure_->column[static_cast<std::size_t>(k)]});
-    TransposedSum below;
+    std::array<Sum, vectors> sum;
+    for (auto k = structure_->row_start[row]; k < structure_->row_start[row + 1]; ++k) {
+      const auto b = load_block(block + block_floats * k);
+      const float* const from = x + length * structure_->column[static_cast<std::size_t>(k)];
+      for (std::size_t v = 0; v < vectors; ++v) sum[v].add(b, from + 4 * v);
+    }
+    std::array<TransposedSum, vectors> below;
     for (auto k = columns_.start[row]; k < columns_.start[row + 1]; ++k) {
       const auto place = static_cast<std::size_t>(k);
-      below.add(load_block(block + block_floats * columns_.block[place]),
-                load(x.data() + 4 * Eigen::Index{columns_.row[place]}));
+      const auto b = load_block(block + block_floats * columns_.block[place]);
+      const float* const from = x + length * columns_.row[place];
+      for (std::size_t v = 0; v < vectors; ++v) below[v].add(b, load(from + 4 * v));
     }
-    store(y.data() + 4 * Eigen::Index{i}, sum.total() + below.total());
+    for (std::size_t v = 0; v < vectors; ++v) store(y + length * i + 4 * v, sum[v].total() + below[v].total());
+  }
+}
+
+void PaddedMatrix::multiply(ConstPaddedRef x, PaddedRef y) const { multiply_each<1>(x.data(), y.data()); }
+
+void PaddedMatrix::multiply_together(ConstPaddedRef x, PaddedRef y) const {
+  switch (x.size() / (4 * size())) {
+    case 1:
+      return multiply_each<1>(x.data(), y.data());
+    case 2:
+      return multiply_each<2>(x.data(), y.data());
+    case 3:
+      return multiply_each<3>(x.data(), y.data());
+    default:
+      return multiply_each<together>(x.data(), y.data());
   }
 }
 

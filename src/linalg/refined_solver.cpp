@@ -1,6 +1,8 @@
 #include "sundrape/linalg/refined_solver.hpp"
 
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <Eigen/QR>
 
@@ -49,52 +51,91 @@ FactorStatus RefinedSolver::factor(const BlockMatrix& matrix) {
   return symmetric_->factor(*part_) == FactorStatus::ok ? FactorStatus::ok : factor_directly();
 }
 
-SolveReport RefinedSolver::solve(ConstVectorRef b, VectorRef x, double tolerance, double largest) {
-  if (matrix_ == nullptr) return {.ok = false, .problem = "there is no matrix"};
-  const double size = b.norm();
-  x.setZero();
-  if (size == 0) return {};
-  SolveReport report;
-  if (!is_direct_ && iterate(b, x, tolerance, largest, report)) return report;
-  if (!is_direct_ && factor_directly() != FactorStatus::ok)
-    return {.ok = false, .iterations = report.iterations, .problem = "the matrix is singular"};
-  const auto direct = direct_->solve(b, x, tolerance, largest);
-  report.ok = direct.ok;
-  report.problem = direct.problem;
+/// Flexible GMRES for one right side: x = Z y with z_k the other solver's answer to direction v_k, |b − A Z y| least
+/// (Saad 1993).
+class RefinedSolver::Course {
+ public:
+  Course(ConstVectorRef b, double tolerance)
+      : size_(b.norm()),
+        tolerance_(tolerance),
+        hessenberg_(Eigen::MatrixXd::Zero(most_directions + 1, most_directions)) {
+    if (size_ > 0) directions_.emplace_back(b / size_);
+    converged_ = size_ == 0;
+  }
+
+  [[nodiscard]] bool converged() const { return converged_; }
+  [[nodiscard]] const Vector& direction() const { return directions_.back(); }
+  /// Takes the answer to the direction and its image under the matrix; false where that leads no further.
+  [[nodiscard]] bool take(Vector answer, Vector image) {
+    const auto k = static_cast<Eigen::Index>(answers_.size());
+    answers_.push_back(std::move(answer));
+    for (Eigen::Index j = 0; j <= k; ++j) {
+      const auto& direction = directions_[static_cast<std::size_t>(j)];
+      hessenberg_(j, k) = direction.dot(image);
+      image -= hessenberg_(j, k) * direction;
+    }
+    const double rest = image.norm();
+    hessenberg_(k + 1, k) = rest;
+    const Eigen::MatrixXd seen = hessenberg_.topLeftCorner(k + 2, k + 1);
+    Vector wanted = Vector::Zero(k + 2);
+    wanted[0] = size_;
+    y_ = seen.householderQr().solve(wanted);
+    converged_ = (seen * y_ - wanted).norm() <= tolerance_ * size_;
+    if (!converged_ && rest > 0) directions_.emplace_back(image / rest);
+    return converged_ || rest > 0;
+  }
+  void add_solution(VectorRef x) const {
+    for (std::size_t j = 0; j < answers_.size(); ++j) x += y_[static_cast<Eigen::Index>(j)] * answers_[j];
+  }
+
+ private:
+  double size_, tolerance_;
+  bool converged_ = false;
+  Eigen::MatrixXd hessenberg_;
+  Vector y_;
+  std::vector<Vector> directions_, answers_;
+};
+
+SolveReport RefinedSolver::solve(ConstVectorRef b, VectorRef x, double tolerance, double /*largest*/) {
+  Eigen::MatrixXd answer;
+  auto report = solve_all(b, answer, tolerance);
+  if (answer.rows() == x.size()) x = answer;
   return report;
 }
 
-/// Flexible GMRES: x = Z y with z_k the other solver's answer to direction v_k, |b − A Z y| least (Saad 1993).
-bool RefinedSolver::iterate(ConstVectorRef b, VectorRef x, double tolerance, double largest, SolveReport& report) {
-  const double size = b.norm();
-  directions_.assign(1, b / size);
-  answers_.clear();
-  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most_directions + 1, most_directions);
-  for (int k = 0; k < most_directions; ++k) {
-    Vector answer(b.size()), image(b.size());
-    const auto inner = symmetric_->solve(directions_.back(), answer, inner_tolerance, largest);
+SolveReport RefinedSolver::solve_all(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, double tolerance) {
+  if (matrix_ == nullptr) return {.ok = false, .problem = "there is no matrix"};
+  SolveReport report;
+  if (!is_direct_ && iterate(b, x, tolerance, report)) return report;
+  if (!is_direct_ && factor_directly() != FactorStatus::ok)
+    return {.ok = false, .iterations = report.iterations, .problem = "the matrix is singular"};
+  auto direct = direct_->solve_all(b, x, tolerance);
+  direct.iterations = report.iterations;
+  return direct;
+}
+
+bool RefinedSolver::iterate(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, double tolerance, SolveReport& report) {
+  std::vector<Course> courses;
+  for (const auto& column : b.colwise()) courses.emplace_back(column, tolerance);
+  Eigen::MatrixXd directions, answers, images;
+  for (int k = 0;; ++k) {
+    std::vector<Course*> open;
+    for (auto& course : courses)
+      if (!course.converged()) open.push_back(&course);
+    if (open.empty()) break;
+    if (k == most_directions) return false;
+    directions.resize(b.rows(), std::ssize(open));
+    for (std::size_t i = 0; i < open.size(); ++i) directions.col(static_cast<Eigen::Index>(i)) = open[i]->direction();
+    const auto inner = symmetric_->solve_all(directions, answers, inner_tolerance);
     report.iterations += inner.iterations;
     if (!inner.ok) return false;
-    matrix_->multiply(answer, image);
-    answers_.push_back(std::move(answer));
-    for (int j = 0; j <= k; ++j) {
-      const auto& direction = directions_[static_cast<std::size_t>(j)];
-      hessenberg(j, k) = direction.dot(image);
-      image -= hessenberg(j, k) * direction;
-    }
-    hessenberg(k + 1, k) = image.norm();
-    const Eigen::MatrixXd seen = hessenberg.topLeftCorner(k + 2, k + 1);
-    Vector wanted = Vector::Zero(k + 2);
-    wanted[0] = size;
-    const Vector y = seen.householderQr().solve(wanted);
-    const double left = (seen * y - wanted).norm();
-    if (left <= tolerance * size || hessenberg(k + 1, k) == 0) {
-      for (int j = 0; j <= k; ++j) x += y[j] * answers_[static_cast<std::size_t>(j)];
-      return left <= tolerance * size;
-    }
-    directions_.emplace_back(image / hessenberg(k + 1, k));
+    matrix_->multiply_all(answers, images);
+    for (Eigen::Index i = 0; i < answers.cols(); ++i)
+      if (!open[static_cast<std::size_t>(i)]->take(answers.col(i), images.col(i))) return false;
   }
-  return false;
+  x.setZero(b.rows(), b.cols());
+  for (std::size_t j = 0; j < courses.size(); ++j) courses[j].add_solution(x.col(static_cast<Eigen::Index>(j)));
+  return true;
 }
 
 }  // namespace sundrape

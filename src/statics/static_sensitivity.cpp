@@ -6,13 +6,15 @@ bool StaticSensitivity::move_to(const State& equilibrium) {
   time_ = equilibrium.time;
   stage_ = equilibrium.stage;
   q_ = equilibrium.q;
+  const Vector still = Vector::Zero(q_.size());
+  forces_.evaluate({time_, q_, still, stage_});
   return tangent_.factor(equilibrium) == FactorStatus::ok;
 }
 
 std::optional<Vector> StaticSensitivity::derivative(ParameterDerivative& by) {
   const auto& unknowns = system_.unknowns();
-  Vector right_side(unknowns.size()), rows(unknowns.size()), still = Vector::Zero(q_.size());
-  by.force({time_, q_, still, stage_}, right_side);
+  Vector right_side(unknowns.size()), rows(unknowns.size());
+  by.force(forces_, right_side);
   if (!tangent_.solve_stiffness(right_side, rows).ok || !rows.allFinite()) return std::nullopt;
   Vector s(q_.size()), supports_v(q_.size());
   by.supports(time_, stage_, s, supports_v);

@@ -57,6 +57,29 @@ TEST(BlockIncompleteCholesky, IsTheInverseWhereNoFillIsDropped) {
   EXPECT_LT((applied(preconditioner.preconditioner, r) - x).norm(), 1e-5 * x.norm());
 }
 
+TEST(BlockIncompleteCholesky, AppliesToSeveralVectorsSideBySideAsOneByOne) {
+  const auto net = net_matrix({.nodes_per_side = 15});
+  const Built built(net, 0.95);
+  ASSERT_TRUE(built.ok);
+  for (Eigen::Index m = 1; m <= PaddedMatrix::together; ++m) {
+    std::vector<Vector> vectors;
+    PaddedVector all(900 * m), one(900);
+    for (Eigen::Index v = 0; v < m; ++v) {
+      vectors.push_back(random_vector(675, static_cast<unsigned>(v)));
+      pad(vectors.back(), 1, one);
+      for (Eigen::Index i = 0; i < 225; ++i) all.segment<4>(4 * (m * i + v)) = one.segment<4>(4 * i);
+    }
+    built.preconditioner.apply_together(all, all);
+    for (Eigen::Index v = 0; v < m; ++v) {
+      for (Eigen::Index i = 0; i < 225; ++i) one.segment<4>(4 * i) = all.segment<4>(4 * (m * i + v));
+      Vector z(675);
+      unpad(one, 1, z);
+      const Vector expected = applied(built.preconditioner, vectors[static_cast<std::size_t>(v)]);
+      EXPECT_LT((z - expected).norm(), 1e-5 * expected.norm()) << v << " of " << m;
+    }
+  }
+}
+
 TEST(BlockIncompleteCholesky, IsSymmetricAndPositiveDefinite) {
   const auto net = net_matrix({.nodes_per_side = 15});
   const Built preconditioner(net, 0.95);

@@ -124,6 +124,20 @@ TEST_P(EitherSymmetry, MultipliesAsTheDenseMatrixDoes) {
   EXPECT_LT((y - matrix.dense() * x).cwiseAbs().maxCoeff(), 1e-13);
 }
 
+TEST_P(EitherSymmetry, MultipliesManyColumnsAsOneByOne) {
+  const RandomElements random(4);
+  const auto built = random.build();
+  BlockMatrix matrix(built.structure, GetParam());
+  add_general(random, Assembler(matrix, built.tables[0]));
+  for (Eigen::Index m = 0; m <= 6; ++m) {
+    const Eigen::MatrixXd x = random_vector(3 * random.rows * static_cast<int>(m), 6).reshaped(3 * random.rows, m);
+    Eigen::MatrixXd y = Eigen::MatrixXd::Constant(2, 1, 1e9);
+    matrix.multiply_all(x, y);
+    EXPECT_EQ(y.cols(), m);
+    EXPECT_TRUE(y.isApprox(matrix.dense() * x, 1e-13)) << m;
+  }
+}
+
 TEST_P(EitherSymmetry, HoldingAComponentDecouplesIt) {
   const RandomElements random(6);
   const auto built = random.build();

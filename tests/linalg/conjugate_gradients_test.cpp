@@ -33,6 +33,29 @@ TEST(ConjugateGradients, ReachesTheToleranceAskedForInTheTrueResidual) {
   }
 }
 
+TEST(ConjugateGradients, SolvesForSeveralRightSidesAtOnce) {
+  const auto net = net_matrix({.nodes_per_side = 21, .rate = 300});
+  for (const Eigen::Index columns : {1, 2, 3, 4, 7})
+    for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
+      ConjugateGradients solver;
+      solver.analyse(*net.structure);
+      expect_solves_all(solver, *net.matrix, columns, tolerance);
+    }
+}
+
+TEST(ConjugateGradients, SaysWhyOneOfSeveralRightSidesFailed) {
+  const auto net = net_matrix({.nodes_per_side = 21, .rate = 60});
+  ConjugateGradients solver(nullptr, 3);
+  ASSERT_EQ(solver.factor(*net.matrix), FactorStatus::ok);
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(3 * net.matrix->size(), 3), x;
+  EXPECT_TRUE(solver.solve_all(b, x, 1e-2).ok);
+  b.col(2) = random_vector(3 * net.matrix->size(), 1);
+  const auto report = solver.solve_all(b, x, 1e-2);
+  EXPECT_FALSE(report.ok);
+  EXPECT_EQ(report.problem, solver.solve(b.col(2), x.col(2), 1e-2).problem);
+  EXPECT_EQ(report.iterations, 3);
+}
+
 TEST(ConjugateGradients, GivesUpOnSolutionsThatAreTooLargeToBeOfUse) {
   const auto net = net_matrix({.nodes_per_side = 21, .rate = 60});
   ConjugateGradients solver;

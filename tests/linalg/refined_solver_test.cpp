@@ -54,6 +54,17 @@ TEST(RefinedSolver, GoesWithConjugateGradientsToo) {
   expect_solves(solver, *model.matrix, 1e-8, 1e-6);
 }
 
+TEST(RefinedSolver, SolvesForSeveralRightSidesAtOnce) {
+  const auto model = random_matrix(40, Symmetry::unsymmetric, 4);
+  model.matrix->add_diagonal(Vector::Constant(40, 1.0), 20);
+  for (const auto kind : {SolverKind::conjugate_gradients, SolverKind::cholesky})
+    for (const Eigen::Index columns : {1, 3, 6}) {
+      RefinedSolver solver(make_linear_solver(kind));
+      solver.analyse(*model.structure);
+      expect_solves_all(solver, *model.matrix, columns, 1e-8);
+    }
+}
+
 TEST(RefinedSolver, LeavesToLuWhatTheOtherSolverCannotDo) {
   const auto model = random_matrix(40, Symmetry::unsymmetric, 5);
   int solves = 0;

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -20,6 +23,22 @@ inline void expect_solves(LinearSolver& solver, const BlockMatrix& matrix, doubl
   const Vector expected = dense.partialPivLu().solve(b);
   EXPECT_LT((x - expected).norm(), relative_error * expected.norm());
   EXPECT_LT((b - dense * x).norm(), std::max(tolerance, 1e-11) * b.norm());
+}
+
+/// Solves for several random right sides at once, one of them zero, and holds each residual against the tolerance.
+inline void expect_solves_all(LinearSolver& solver, const BlockMatrix& matrix, Eigen::Index columns, double tolerance) {
+  ASSERT_EQ(solver.factor(matrix), FactorStatus::ok);
+  Eigen::MatrixXd b =
+      random_vector(3 * matrix.size() * static_cast<int>(columns), 98).reshaped(3 * matrix.size(), columns);
+  for (Eigen::Index j = 0; j < columns; ++j) b.col(j) *= std::pow(1e3, static_cast<double>(j));  // scales of their own
+  if (columns > 2) b.col(1).setZero();
+  Eigen::MatrixXd x;
+  const auto report = solver.solve_all(b, x, tolerance);
+  EXPECT_TRUE(report.ok) << report.problem;
+  ASSERT_EQ(x.cols(), columns);
+  const auto dense = matrix.dense();
+  for (Eigen::Index j = 0; j < columns; ++j)
+    EXPECT_LE((b.col(j) - dense * x.col(j)).norm(), std::max(tolerance, 1e-11) * b.col(j).norm()) << j;
 }
 
 /// What every direct or tight iterative solver must do with symmetric positive definite matrices.

@@ -8,8 +8,8 @@
 
 namespace sundrape {
 
-/// What a case asks to be differentiated by: for each parameter the models of the case with the parameter a little
-/// smaller and larger, and how the forces of the case's own model change between them.
+/// What a case asks to be differentiated by: for each parameter the model of the case with the parameter a little
+/// larger, and how its forces differ from those of the case's own model.
 class Sensitivities {
  public:
   /// @throws CaseError  a parameter at the edge of its range, or one that changes which points or forces there are
@@ -31,7 +31,7 @@ class Sensitivities {
  private:
   struct Parameter {
     double size = 0;  // |p|, SI
-    CaseModel lower, upper;
+    CaseModel changed;
     std::unique_ptr<ParameterDerivative> derivative;
   };
   const CaseModel& model_;

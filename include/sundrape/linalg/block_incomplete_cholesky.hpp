@@ -21,6 +21,7 @@ class BlockIncompleteCholesky final : public Preconditioner {
   void analyse(const BlockStructure& structure) override;
   [[nodiscard]] bool build(const PaddedMatrix& matrix) override;
   void apply(ConstPaddedRef r, PaddedRef z) const override;
+  void apply_together(ConstPaddedRef r, PaddedRef z) const override;
 
   /// Shift of the last build, relative to each diagonal block's largest entry.
   [[nodiscard]] double shift() const { return shift_; }
@@ -29,6 +30,8 @@ class BlockIncompleteCholesky final : public Preconditioner {
   [[nodiscard]] bool factorise(const PaddedMatrix& matrix);
   [[nodiscard]] bool invert_diagonal(int row);
   void eliminate(int column);
+  template <int vectors>
+  void apply_to(const float* r, float* z) const;
 
   double modification_;
   double shift_ = 0;

@@ -50,6 +50,8 @@ class BlockMatrix {
   /// y = A x. x, y: 3n, may not overlap.
   /// @throws std::invalid_argument  other lengths
   void multiply(ConstVectorRef x, VectorRef y) const;
+  /// The same for every column of x, blocks being read once. y is resized.
+  void multiply_all(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const;
   /// Largest |A − Aᵀ| entry over the largest |A| entry; 0 for a symmetric matrix.
   [[nodiscard]] double asymmetry() const;
   /// The whole matrix, dense: for tests and diagnosis.
@@ -57,7 +59,6 @@ class BlockMatrix {
 
  private:
   void multiply_symmetric(ConstVectorRef x, VectorRef y) const;
-  void multiply_unsymmetric(ConstVectorRef x, VectorRef y) const;
 
   const BlockStructure* structure_;
   Symmetry symmetry_;
@@ -97,8 +98,8 @@ class Assembler {
   void add_general_pair(std::size_t element, int p, int q, const Matrix3& pq, const Matrix3& qp) {
     if (!keeps_unsymmetric()) return add_pair(element, p, q, 0.5 * (pq + qp.transpose()));
     const Slot slot = table_->at(element, p, q);
-    matrix_->lower(slot.block) += slot.transposed ? qp : pq;
-    matrix_->upper(slot.block) += slot.transposed ? pq : qp;
+    add(matrix_->lower(slot.block).data(), (slot.transposed ? qp : pq).data());
+    add(matrix_->upper(slot.block).data(), (slot.transposed ? pq : qp).data());
   }
 
  private:

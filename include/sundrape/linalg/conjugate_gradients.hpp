@@ -27,8 +27,14 @@ class ConjugateGradients final : public LinearSolver {
   [[nodiscard]] FactorStatus factor(const BlockMatrix& matrix) override;
   [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance,
                                   double largest = std::numeric_limits<double>::infinity()) override;
+  /// Four at a time in single precision where the tolerance allows it.
+  [[nodiscard]] SolveReport solve_all(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, double tolerance) override;
 
  private:
+  template <std::size_t m>
+  [[nodiscard]] SolveReport solve_together(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x,
+                                           double tolerance, int iterations);
+
   std::unique_ptr<Preconditioner> preconditioner_;
   int max_iterations_;
   std::optional<PaddedMatrix> padded_;

@@ -38,6 +38,9 @@ class LinearSolver {
   /// reached.
   [[nodiscard]] virtual SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance,
                                           double largest = std::numeric_limits<double>::infinity()) = 0;
+  /// Solves for every column of b, each to about `tolerance`: where that is loose an iterative solver may trust its own
+  /// recursion, and work on several columns at once. b, x: 3n × m. ok: all of them are; iterations: of all together.
+  [[nodiscard]] virtual SolveReport solve_all(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, double tolerance);
   /// Number of negative eigenvalues of the last factored matrix where the factor tells it (Sylvester's law of inertia).
   [[nodiscard]] virtual std::optional<int> negative_pivots() const { return std::nullopt; }
 };

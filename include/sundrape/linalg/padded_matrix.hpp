@@ -21,6 +21,9 @@ void unpad(ConstPaddedRef v, double factor, VectorRef out);
 class PaddedMatrix {
  public:
   static constexpr std::int64_t block_floats = 12;
+  /// Most vectors that are worked on side by side: a block is read once for all of them and none waits for another, so
+  /// that four take half again as long as one. They lie row by row, m vectors as 4m floats a block row.
+  static constexpr int together = 4;
 
   explicit PaddedMatrix(const BlockStructure& structure);  // keeps a reference to the structure
 
@@ -36,8 +39,13 @@ class PaddedMatrix {
 
   /// y = A x. x, y: 4n, may not overlap.
   void multiply(ConstPaddedRef x, PaddedRef y) const;
+  /// The same for 1 to `together` vectors side by side. x, y: 4mn, may not overlap.
+  void multiply_together(ConstPaddedRef x, PaddedRef y) const;
 
  private:
+  template <int vectors>
+  void multiply_each(const float* x, float* y) const;
+
   const BlockStructure* structure_;
   BlockColumns columns_;
   Eigen::VectorXf blocks_;

@@ -14,6 +14,8 @@ class Preconditioner {
   [[nodiscard]] virtual bool build(const PaddedMatrix& matrix) = 0;
   /// z ≈ A⁻¹ r with the A of the last build. r, z: 4n, may be the same.
   virtual void apply(ConstPaddedRef r, PaddedRef z) const = 0;
+  /// The same for m vectors side by side, at most PaddedMatrix::together. r, z: 4mn, may be the same.
+  virtual void apply_together(ConstPaddedRef r, PaddedRef z) const = 0;
 };
 
 }  // namespace sundrape

@@ -1,7 +1,6 @@
 #pragma once
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "sundrape/linalg/linear_solver.hpp"
 
@@ -24,17 +23,18 @@ class RefinedSolver final : public LinearSolver {
   [[nodiscard]] FactorStatus factor(const BlockMatrix& matrix) override;
   [[nodiscard]] SolveReport solve(ConstVectorRef b, VectorRef x, double tolerance,
                                   double largest = std::numeric_limits<double>::infinity()) override;
+  [[nodiscard]] SolveReport solve_all(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, double tolerance) override;
 
  private:
+  class Course;
   [[nodiscard]] FactorStatus factor_directly();
-  [[nodiscard]] bool iterate(ConstVectorRef b, VectorRef x, double tolerance, double largest, SolveReport& report);
+  [[nodiscard]] bool iterate(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, double tolerance, SolveReport& report);
 
   std::unique_ptr<LinearSolver> symmetric_, direct_;
   const BlockStructure* structure_ = nullptr;
   const BlockMatrix* matrix_ = nullptr;
   std::optional<BlockMatrix> part_;  // the symmetric one
   bool is_direct_ = false;           // of the matrix at hand
-  std::vector<Vector> directions_, answers_;
 };
 
 }  // namespace sundrape

@@ -10,7 +10,7 @@ namespace sundrape {
 class StaticSensitivity {
  public:
   StaticSensitivity(const System& system, double neutral_frequency)
-      : system_(system), tangent_(system, neutral_frequency) {}
+      : system_(system), tangent_(system, neutral_frequency), forces_(system) {}
 
   /// Factors the tangent at an equilibrium; false where it is singular.
   [[nodiscard]] bool move_to(const State& equilibrium);
@@ -20,6 +20,7 @@ class StaticSensitivity {
  private:
   const System& system_;
   Tangent tangent_;
+  TermForces forces_;
   double time_ = 0;
   int stage_ = 0;
   Vector q_;
