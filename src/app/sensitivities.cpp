@@ -32,6 +32,7 @@ Sensitivities::Sensitivities(const Case& c, const CaseModel& model)
 
 std::vector<Vector> Sensitivities::of_start() const {
   std::vector<Vector> start;
+  start.reserve(parameters_.size());
   for (const auto& p : parameters_)
     start.emplace_back((p.changed.initial - model_.initial) / ParameterDerivative::relative_change);
   return start;
@@ -39,12 +40,14 @@ std::vector<Vector> Sensitivities::of_start() const {
 
 std::vector<ParameterDerivative*> Sensitivities::derivatives() {
   std::vector<ParameterDerivative*> all;
+  all.reserve(parameters_.size());
   for (auto& p : parameters_) all.push_back(p.derivative.get());
   return all;
 }
 
 std::vector<const CaseModel*> Sensitivities::models() const {
   std::vector<const CaseModel*> all;
+  all.reserve(parameters_.size() + 1);
   for (const auto& p : parameters_) all.push_back(&p.changed);
   if (exact_) all.push_back(&*exact_);
   return all;

@@ -31,7 +31,7 @@ void ForwardSensitivity::set(const std::vector<Vector>& q, const std::vector<Vec
     Vector y(2 * n);
     system_.unknowns().gather(q.at(k), y.head(n));
     system_.unknowns().gather(v.at(k), y.tail(n));
-    past_[k].values.assign(1, std::move(y));
+    past_[k].values.assign(1, y);
   }
 }
 
