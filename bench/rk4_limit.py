@@ -6,15 +6,13 @@ diagonal. The table of docs/time-step.md is made by it.
 """
 
 import argparse
-import json
-import subprocess
 import tempfile
 from pathlib import Path
 
 import h5py
 import numpy as np
+from case_run import ROOT, run_case
 
-ROOT = Path(__file__).resolve().parent.parent
 UNDAMPED = ["material.damping={mass=0,membrane=0,bending=0}"]
 FOLD = ["model=particle", "cloth.cells=[40,1]", "motion.0.path.duration=0.5", "dynamics.duration=0.5"]
 # motion, damping, file, settings
@@ -28,18 +26,12 @@ MOTIONS = [
 
 def run(executable, folder, file, settings, time_limit):
     """The reported limit [s], and what the method lost over weight times diagonal; None if the run did not end."""
-    result, summary = Path(folder) / "result.h5", Path(folder) / "summary.json"
-    command = [executable, "run", ROOT / "cases" / file, "-o", result, "--force", "--quiet", "--threads", "1", "--summary", summary]
-    for setting in [*settings, "dynamics.integrator=rk4", f"dynamics.time_limit={time_limit}"]:
-        command += ["--set", setting]
-    done = subprocess.run(command, check=False, capture_output=True, text=True)
-    if done.returncode not in (0, 1):
-        raise SystemExit(done.stderr)
-    totals = json.loads(summary.read_text())
-    with h5py.File(result) as f:
+    explicit = ["dynamics.integrator=rk4", f"dynamics.time_limit={time_limit}"]
+    totals = run_case(executable, folder, file, [*settings, *explicit])
+    with h5py.File(Path(folder) / "result.h5") as f:
         reported = float(f["statistics"].attrs["rk4_stable_step_s"])
         diagonal = np.linalg.norm(np.ptp(f["mesh/reference"][:], axis=0))
-    return reported, totals["method_dissipated_J"] / (totals["weight_N"] * diagonal) if done.returncode == 0 else None
+    return reported, totals["method_dissipated_J"] / (totals["weight_N"] * diagonal) if totals["ended"] else None
 
 
 def main():

@@ -9,13 +9,12 @@ summary counts, the exponent p of CPU ~ nodes^p from the size before, and ratios
 import argparse
 import json
 import math
-import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-CASES = Path(__file__).resolve().parent.parent / "cases"
+from case_run import run_case
+
 BASELINES = {
     "rk4": ["dynamics.integrator=rk4"],
     "ida": ["dynamics.integrator=ida"],
@@ -49,28 +48,11 @@ def arguments():
     return parser.parse_args()
 
 
-def run(executable, case, sets, folder):
-    """Summary of one run, with the processor time of the whole process, user and system."""
-    summary = folder / "summary.json"
-    command = [executable, "run", str(CASES / case), "-o", str(folder / "result.h5"), "--force", "--quiet",
-               "--threads", "1", "--summary", str(summary)]
-    for setting in sets:
-        command += ["--set", setting]
-    before = os.times()
-    done = subprocess.run(command, check=False, capture_output=True, text=True,
-                          env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
-    after = os.times()
-    if done.returncode != 0:
-        raise RuntimeError(f"{' '.join(command)}\nended with status {done.returncode}: {done.stderr.strip()}")
-    result = json.loads(summary.read_text())
-    result["process_cpu"] = (after.children_user + after.children_system
-                             - before.children_user - before.children_system)
-    return result
-
-
 def fastest(executable, case, sets, repeat):
     with tempfile.TemporaryDirectory() as folder:
-        runs = [run(executable, case, sets, Path(folder)) for _ in range(repeat)]
+        runs = [run_case(executable, folder, case, sets) for _ in range(repeat)]
+    if not all(run["ended"] for run in runs):
+        raise RuntimeError(f"{case} with {sets} failed")
     return min(runs, key=lambda r: r["process_cpu"])
 
 

@@ -6,11 +6,10 @@ Least of several runs on one core. The table of docs/sensitivities.md is made by
 
 import argparse
 import json
-import subprocess
 import tempfile
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from case_run import ROOT, run_case
+
 RUBBED = ["obstacle.0.friction=0.1"]
 # motion, file, settings, first parameter; the others are the same for all
 MOTIONS = [
@@ -29,15 +28,8 @@ OTHERS = ["material.weight", "material.thickness", "material.youngs_modulus"]
 
 
 def cpu_seconds(executable, folder, file, settings, parameters, repetitions):
-    result, summary = Path(folder) / "result.h5", Path(folder) / "summary.json"
-    command = [executable, "run", ROOT / "cases" / file, "-o", result, "--force", "--quiet", "--threads", "1", "--summary", summary]
-    for setting in [*settings, *([f"sensitivity.parameters={json.dumps(parameters)}"] if parameters else [])]:
-        command += ["--set", setting]
-    times = []
-    for _ in range(repetitions):
-        subprocess.run(command, check=True)
-        times.append(json.loads(summary.read_text())["cpu_seconds"])
-    return min(times)
+    wanted = [f"sensitivity.parameters={json.dumps(parameters)}"] if parameters else []
+    return min(run_case(executable, folder, file, [*settings, *wanted])["cpu_seconds"] for _ in range(repetitions))
 
 
 def main():

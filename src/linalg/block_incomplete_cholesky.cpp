@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lanes.hpp"
+#include "side_by_side.hpp"
 
 namespace sundrape {
 namespace {
@@ -165,16 +166,7 @@ void BlockIncompleteCholesky::apply_to(const float* r, float* z) const {
 void BlockIncompleteCholesky::apply(ConstPaddedRef r, PaddedRef z) const { apply_to<1>(r.data(), z.data()); }
 
 void BlockIncompleteCholesky::apply_together(ConstPaddedRef r, PaddedRef z) const {
-  switch (r.size() / (4 * structure_->size())) {
-    case 1:
-      return apply_to<1>(r.data(), z.data());
-    case 2:
-      return apply_to<2>(r.data(), z.data());
-    case 3:
-      return apply_to<3>(r.data(), z.data());
-    default:
-      return apply_to<PaddedMatrix::together>(r.data(), z.data());
-  }
+  side_by_side(r.size() / (4 * structure_->size()), [&](auto m) { apply_to<m>(r.data(), z.data()); });
 }
 
 }  // namespace sundrape

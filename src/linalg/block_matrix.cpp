@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "side_by_side.hpp"
+
 namespace sundrape {
 namespace {
 
@@ -116,22 +118,10 @@ void BlockMatrix::multiply_all(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) con
     for (Eigen::Index c = 0; c < x.cols(); ++c) multiply_symmetric(x.col(c), y.col(c));
     return;
   }
-  for (Eigen::Index c = 0; c < x.cols(); c += 4) {
-    const double* const from = x.data() + c * x.rows();
-    double* const to = y.data() + c * y.rows();
-    switch (std::min<Eigen::Index>(4, x.cols() - c)) {
-      case 1:
-        multiply_columns<1>(*this, from, to);
-        break;
-      case 2:
-        multiply_columns<2>(*this, from, to);
-        break;
-      case 3:
-        multiply_columns<3>(*this, from, to);
-        break;
-      default:
-        multiply_columns<4>(*this, from, to);
-    }
+  constexpr Eigen::Index most = PaddedMatrix::together;
+  for (Eigen::Index c = 0; c < x.cols(); c += most) {
+    side_by_side(std::min<Eigen::Index>(most, x.cols() - c),
+                 [&](auto m) { multiply_columns<m>(*this, x.data() + c * x.rows(), y.data() + c * y.rows()); });
   }
 }
 

@@ -9,6 +9,7 @@
 #include "sundrape/linalg/block_incomplete_cholesky.hpp"
 
 #include "lanes.hpp"
+#include "side_by_side.hpp"
 
 namespace sundrape {
 namespace {
@@ -255,10 +256,7 @@ SolveReport ConjugateGradients::solve_all(const Eigen::MatrixXd& b, Eigen::Matri
     const auto count = std::min<Eigen::Index>(PaddedMatrix::together, b.cols() - first);
     const auto right = b.middleCols(first, count);
     auto answers = x.middleCols(first, count);
-    all = count == 1   ? solve_together<1>(right, answers, tolerance, all.iterations)
-          : count == 2 ? solve_together<2>(right, answers, tolerance, all.iterations)
-          : count == 3 ? solve_together<3>(right, answers, tolerance, all.iterations)
-                       : solve_together<4>(right, answers, tolerance, all.iterations);
+    all = side_by_side(count, [&](auto m) { return solve_together<m>(right, answers, tolerance, all.iterations); });
   }
   return all;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lanes.hpp"
+#include "side_by_side.hpp"
 
 namespace sundrape {
 namespace {
@@ -80,16 +81,7 @@ void PaddedMatrix::multiply_each(const float* x, float* y) const {
 void PaddedMatrix::multiply(ConstPaddedRef x, PaddedRef y) const { multiply_each<1>(x.data(), y.data()); }
 
 void PaddedMatrix::multiply_together(ConstPaddedRef x, PaddedRef y) const {
-  switch (x.size() / (4 * size())) {
-    case 1:
-      return multiply_each<1>(x.data(), y.data());
-    case 2:
-      return multiply_each<2>(x.data(), y.data());
-    case 3:
-      return multiply_each<3>(x.data(), y.data());
-    default:
-      return multiply_each<together>(x.data(), y.data());
-  }
+  side_by_side(x.size() / (4 * size()), [&](auto m) { multiply_each<m>(x.data(), y.data()); });
 }
 
 }  // namespace sundrape
