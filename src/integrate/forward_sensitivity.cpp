@@ -58,11 +58,13 @@ void ForwardSensitivity::follow_supports(double time, std::size_t parameter, Vec
 
 void ForwardSensitivity::add_damping_product(const State& all, ConstVectorRef rates, VectorRef right_side) {
   const auto& unknowns = system_.unknowns();
-  const double largest = rates.lpNorm<Eigen::Infinity>();
+  free_rates_ = rates;
+  unknowns.clear_held(free_rates_);  // what supports do is in the derivative by the parameter
+  const double largest = free_rates_.lpNorm<Eigen::Infinity>();
   if (largest == 0) return;
   const double change = rate_change / largest;
   shifted_.setZero();
-  unknowns.scatter(rates, shifted_);
+  unknowns.scatter(free_rates_, shifted_);
   shifted_ = all.v + change * shifted_;
   system_.force({all.time, all.q, shifted_}, product_);
   product_ = (forces_.sum() - product_) / change;

@@ -46,11 +46,11 @@ class ForwardSensitivity {
   TermForces forces_;  // where the step ended
   std::vector<ParameterDerivative*> parameters_;
   BdfHistory history_;
-  std::vector<BdfHistory::Past> past_;                    // one a parameter, 6n
-  Vector rows_q_, rows_v_, acceleration_, product_rows_;  // 3n
-  Eigen::MatrixXd right_sides_, s_;                       // 3n, one column a parameter
-  Vector shifted_, product_;                              // 3P
-  mutable Vector supports_q_, supports_v_;                // 3P
+  std::vector<BdfHistory::Past> past_;                                 // one a parameter, 6n
+  Vector rows_q_, rows_v_, acceleration_, product_rows_, free_rates_;  // 3n
+  Eigen::MatrixXd right_sides_, s_;                                    // 3n, one column a parameter
+  Vector shifted_, product_;                                           // 3P
+  mutable Vector supports_q_, supports_v_;                             // 3P
   long linear_iterations_ = 0;
 };
 
