@@ -11,8 +11,9 @@
 namespace sundrape {
 
 Sensitivities::Sensitivities(const Case& c, const CaseModel& model)
-    : model_(model), statics_(*model.system, neutral_frequency(model)) {
-  if (model.has_friction()) exact_ = build_model(c, FrictionMatrix::tangent);
+    : model_(model),
+      exact_(build_model(c, FrictionMatrix::tangent)),
+      statics_(*exact_.system, neutral_frequency(model)) {
   for (const auto& p : c.sensitivities) {
     const double size = std::abs(p.value), change = ParameterDerivative::relative_change * size;
     for (const double value : {p.value - change, p.value + change})
@@ -22,7 +23,7 @@ Sensitivities::Sensitivities(const Case& c, const CaseModel& model)
                                     p.value, p.range.text()));
     Parameter made{size, build_model(with_parameter(c, p, p.value + change)), nullptr};
     try {
-      made.derivative = std::make_unique<ParameterDerivative>(*model.system, *made.changed.system);
+      made.derivative = std::make_unique<ParameterDerivative>(*exact_.system, *made.changed.system);
     } catch (const std::invalid_argument& problem) {
       throw CaseError(p.source, fmt::format("'{}': {}", p.key, problem.what()));
     }
@@ -49,7 +50,7 @@ std::vector<const CaseModel*> Sensitivities::models() const {
   std::vector<const CaseModel*> all;
   all.reserve(parameters_.size() + 1);
   for (const auto& p : parameters_) all.push_back(&p.changed);
-  if (exact_) all.push_back(&*exact_);
+  all.push_back(&exact_);
   return all;
 }
 

@@ -87,6 +87,7 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
   const auto& unknowns = system.unknowns();
   const auto n = unknowns.size();
   BlockMatrix matrix(system.structure(), solver.symmetry());
+  long of_structure = system.structures();
   solver.analyse(system.structure());
   OutOfBalance balance(system, options);
   Vector v = Vector::Zero(n), rows_q(n), step(n), right_side(n), force(n), tried = q, all_v = Vector::Zero(q.size());
@@ -115,7 +116,8 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     const double digits = std::clamp(0.1 * result.residual, 1e-8, 1e-2);
     /// Newton's step from M/h² + K; false if there is none, or it does not go downhill.
     const auto find_step = [&] {
-      if (!system.adapt(balance.state(q))) {
+      if (const long now = system.adapt(balance.state(q)); now != of_structure) {
+        of_structure = now;
         matrix = BlockMatrix(system.structure(), solver.symmetry());
         solver.analyse(system.structure());
       }

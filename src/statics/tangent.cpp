@@ -12,7 +12,8 @@ Tangent::Tangent(const System& system, double neutral_frequency)
     : system_(system),
       shift_(neutral_frequency * neutral_frequency * system.row_mass()),
       still_(Vector::Zero(3 * system.mass().size())),
-      matrix_(system.structure(), system.has_symmetric_tangent() ? Symmetry::symmetric : Symmetry::unsymmetric) {
+      matrix_(system.structure(), system.has_symmetric_tangent() ? Symmetry::symmetric : Symmetry::unsymmetric),
+      of_structure_(system.structures()) {
   if (matrix_.symmetry() == Symmetry::unsymmetric)
     lu_ = std::make_unique<Lu>();
   else
@@ -20,7 +21,8 @@ Tangent::Tangent(const System& system, double neutral_frequency)
 }
 
 FactorStatus Tangent::factor(const State& all) {
-  if (!system_.adapt({all.time, all.q, still_, all.stage})) {
+  if (const long now = system_.adapt({all.time, all.q, still_, all.stage}); now != of_structure_) {
+    of_structure_ = now;
     matrix_ = BlockMatrix(system_.structure(), matrix_.symmetry());
     for (auto* solver : {cholesky_.get(), ldlt_.get(), lu_.get()})
       if (solver) solver->analyse(system_.structure());

@@ -16,6 +16,7 @@ CondensedNewton::CondensedNewton(const System& system, std::unique_ptr<LinearSol
     : system_(system),
       solver_(std::move(solver)),
       matrix_(system.structure(), solver_->symmetry()),
+      of_structure_(system.structures()),
       tolerance_(tolerance) {
   const auto all = 3 * static_cast<Eigen::Index>(system.unknowns().points());
   q_.resize(all);
@@ -35,7 +36,8 @@ FactorStatus CondensedNewton::prepare(double time, double c, ConstVectorRef q, C
     time_ = time;
     system_.expand(time, q, v, q_, v_);
     force_known_ = false;
-    if (!system_.adapt({time, q_, v_})) {
+    if (const long now = system_.adapt({time, q_, v_}); now != of_structure_) {
+      of_structure_ = now;
       matrix_ = BlockMatrix(system_.structure(), solver_->symmetry());
       solver_->analyse(system_.structure());
       ++counters_.patterns;

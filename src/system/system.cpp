@@ -28,13 +28,14 @@ void System::declare() const {
   auto built = pattern.build();
   structure_ = std::move(built.structure);
   tables_ = std::move(built.tables);
+  ++structures_;
 }
 
-bool System::adapt(const State& all) const {
+long System::adapt(const State& all) const {
   bool as_before = true;
   for (const auto& term : terms_) as_before = term->adapt(all) && as_before;
   if (!as_before) declare();
-  return as_before;
+  return structures_;
 }
 
 bool System::watches_passages() const {

@@ -18,8 +18,9 @@ class Sensitivities {
   /// |p| d(initial state)/dp, one a parameter, 3P [m].
   [[nodiscard]] std::vector<Vector> of_start() const;
   [[nodiscard]] std::vector<ParameterDerivative*> derivatives();
-  /// The system with its whole tangent, of which Newton's iteration has friction's secant only.
-  [[nodiscard]] const System& exact_system() const { return exact_ ? *exact_->system : *model_.system; }
+  /// The system with its whole tangent, of which Newton's iteration has friction's secant only. The integrator and the
+  /// solver of equilibria do not use it: where cloth touches cloth its matrices change their structure as they please.
+  [[nodiscard]] const System& exact_system() const { return *exact_.system; }
   /// All other models, whose supports have to change as those of the case's own.
   [[nodiscard]] std::vector<const CaseModel*> models() const;
 
@@ -36,7 +37,7 @@ class Sensitivities {
   };
   const CaseModel& model_;
   std::vector<Parameter> parameters_;
-  std::optional<CaseModel> exact_;  // of cases with friction
+  CaseModel exact_;
   StaticSensitivity statics_;
 };
 

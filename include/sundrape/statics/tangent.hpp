@@ -39,6 +39,7 @@ class Tangent {
   Vector shift_;  // ε² times the masses, n
   Vector still_;  // 3P
   BlockMatrix matrix_;
+  long of_structure_;                                   // that the matrix is for
   std::unique_ptr<LinearSolver> cholesky_, ldlt_, lu_;  // lu_ where K is unsymmetric, cholesky_ where not
   LinearSolver* used_ = nullptr;
   bool was_indefinite_ = false, ldlt_current_ = false;

@@ -49,6 +49,7 @@ class CondensedNewton {
   const System& system_;
   std::unique_ptr<LinearSolver> solver_;
   BlockMatrix matrix_;
+  long of_structure_;  // that the matrix is for
   double tolerance_, c_ = 0, time_ = 0, first_norm_ = 0;
   Vector q_, v_;               // all points, where the matrix was assembled
   Vector shifted_v_, work_;    // all points, work

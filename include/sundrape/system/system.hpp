@@ -31,10 +31,13 @@ class System {
   [[nodiscard]] const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
   /// Of matrices over the unknowns: as it was built, or last adapted.
   [[nodiscard]] const BlockStructure& structure() const { return structure_; }
-  /// Whether the structure has room for the tangent at a state, which terms may couple otherwise than before (cloth
-  /// that touches cloth). If not, it is another one from now on: matrices are to be made anew, and solvers to analyse
-  /// it.
-  [[nodiscard]] bool adapt(const State& all) const;
+  /// How many structures there have been. What was made for an earlier one, matrices and analyses of solvers, is not to
+  /// be used.
+  [[nodiscard]] long structures() const { return structures_; }
+  /// Gives the structure room for the tangent at a state, which terms may couple otherwise than before (cloth that
+  /// touches cloth), and returns structures(): whoever has made matrices for another has to make them anew. Others who
+  /// use the same system have to ask too before they use theirs.
+  [[nodiscard]] long adapt(const State& all) const;
   [[nodiscard]] bool watches_passages() const;
   /// What a step straight from one state to another would have pass through each other.
   [[nodiscard]] std::optional<Passage> passage(const State& from, const State& to) const;
@@ -96,6 +99,7 @@ class System {
   PrescribedMotions motions_;
   mutable BlockStructure structure_;       // storage, not physics
   mutable std::vector<SlotTable> tables_;  // one a term
+  mutable long structures_ = 0;
 };
 
 }  // namespace sundrape
