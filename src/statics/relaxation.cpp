@@ -11,6 +11,9 @@ namespace {
 constexpr double cut = 0.5;             // of the step after a refusal
 constexpr double shortened = 0.999;     // of the largest move: safely below it in spite of round-off
 constexpr int most_halvings = 6;        // of a move whose energy rises
+constexpr double progress = 0.9;        // of the residual
+constexpr int patience = 300;           // iterations without progress; from then on no step overshoots
+constexpr double overshot = 0.8;        // of the force along a step, that it turns around
 constexpr double smallest_step = 1e-9;  // [s]
 constexpr double largest_step = 1e4;    // [s]; M/h² is then far below any stiffness, yet holds neutral rigid motion
 
@@ -96,7 +99,9 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
   RelaxationResult result;
   result.residual = balance.evaluate(q);
   std::optional<Passage> passage;  // that the last step tried would have meant
-  double h = options.first_step, time = 0;
+  double h = options.first_step, time = 0, least_residual = result.residual;
+  int least_at = 0;
+  bool goes_round = false;
   for (; result.residual > options.tolerance; ++result.iterations) {
     const auto stall = [&](const std::string& why, const std::string& advice) {
       result.end = RelaxationEnd::stalled;
@@ -108,6 +113,12 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
     if (result.iterations >= options.max_iterations)
       return stall("relaxation has not converged",
                    "raise relaxation.max_iterations, or look at the last frame: something may slide freely");
+
+    if (result.residual < progress * least_residual) {
+      least_residual = result.residual;
+      least_at = result.iterations;
+    }
+    goes_round = goes_round || result.iterations > least_at + patience;
 
     RelaxationStep report{.iteration = result.iterations + 1};
     force = balance.rows();
@@ -147,6 +158,10 @@ RelaxationResult relax(const System& system, LinearSolver& solver, const Relaxat
         const double residual = balance.evaluate(tried);
         const double rise = -0.5 * step.dot(force + balance.rows());
         if (!std::isfinite(residual) || (options.largest_rise > 0 && rise > options.largest_rise)) continue;
+        // Newton's steps across a contact's edge may go to and fro for ever
+        if (goes_round && halving < most_halvings && residual > progress * result.residual &&
+            step.dot(balance.rows()) < -overshot * step.dot(force))
+          continue;
         result.residual = residual;
         return true;
       }

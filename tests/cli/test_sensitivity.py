@@ -145,6 +145,7 @@ class SensitivityTest(CommandLineTest):
                 (pulled + '["arc-length"]\ntolerance = 1e-7\n', path,
                  {"material.youngs_modulus": 10, "load.0.total.2": 3.4641016151377544e-8}),
                 (LAYERS, last, {"material.weight": 2, "cloth.1.place.translate.2": 1.5e-3}),
+                ('model = "shell"\n' + LAYERS, last, {"material.weight": 2, "material.youngs_modulus": 3e7}),
                 (strip + hands, path, {"material.density_area": 0.2, "motion.0.path.by.2": 0.01})]:
             self.write("CASE.toml", case)
             change = 1e-3

@@ -1,5 +1,8 @@
 #include "sundrape/statics/relaxation.hpp"
 
+#include <array>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "support/small_systems.hpp"
@@ -76,6 +79,46 @@ TEST(Relaxation, TheEnergyRisesByNoMoreThanAllowed) {
   const double limit = 1e-3 * hanging_mass * 9.80665 * spring_length;
   EXPECT_GT(rise_with_limit(0), 10 * limit);
   EXPECT_LE(rise_with_limit(limit), limit);
+}
+
+/// A single point drawn to the origin along x by √|x|, of which Newton's method makes −x, −(−x) and so on.
+class RootOfDistance final : public ForceTerm {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "root"; }
+  [[nodiscard]] EnergyKind kind() const override { return EnergyKind::contact; }
+  [[nodiscard]] double energy(const State& state) const override {
+    return 2.0 / 3 * std::pow(std::abs(state.q[0]), 1.5);
+  }
+  void add_force(const State& state, VectorRef f) const override {
+    f[0] -= std::copysign(std::sqrt(std::abs(state.q[0])), state.q[0]);
+  }
+  void add_tangent(const State& state, double dq, double /*dv*/, Assembler& tangent) const override {
+    Matrix3 block = Matrix3::Zero();
+    block(0, 0) = -dq * 0.5 / std::sqrt(std::abs(state.q[0]));
+    tangent.add_diagonal(0, 0, block);
+  }
+  void declare_pattern(Pattern& pattern) const override {
+    pattern.begin_term(1);
+    pattern.add_element(std::array<int, 1>{0});
+  }
+};
+
+TEST(Relaxation, DoesNotGoToAndFroForEver) {
+  std::vector<std::unique_ptr<ForceTerm>> terms;
+  terms.push_back(std::make_unique<RootOfDistance>());
+  const System system(Vector::Ones(1), std::move(terms), Unknowns({{false, false, false}}), Vector::Zero(3));
+  const auto solver = make_linear_solver(SolverKind::cholesky);
+  struct Watch final : RelaxationObserver {
+    std::vector<double> x;
+    void step(const State& all, const RelaxationStep&) override { x.push_back(all.q[0]); }
+    bool wants_to_stop() override { return false; }
+  } watch;
+  Vector q = Vector3(1, 0, 0);
+  const auto result = relax(system, *solver, {.max_iterations = 500, .first_step = 1e4, .force_scale = 1}, q, watch);
+  EXPECT_EQ(result.end, RelaxationEnd::converged) << result.diagnosis;
+  ASSERT_GT(watch.x.size(), 50);
+  EXPECT_NEAR(watch.x[49], 1, 1e-5);  // as plain Newton would for ever, but for the mass
+  EXPECT_NEAR(q[0], 0, 1e-12);        // (10⁻⁶)²
 }
 
 TEST(Relaxation, SaysWhyAndWhereItStalls) {
