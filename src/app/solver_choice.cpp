@@ -53,6 +53,7 @@ IntegratorOptions integrator_options(const Case& c, const CaseModel& model) {
   o.first_step = d.first_step;
   o.max_step = d.max_step;
   o.fixed_step = d.step.value_or(0);
+  o.solves_always = !c.sensitivities.empty();
   if (model.has_friction())
     o.newton_accuracy = d.integrator == IntegratorKind::ida ? accuracy_of_friction_in_ida : accuracy_of_friction;
   return o;

@@ -11,6 +11,7 @@ using sundials::require_success;
 
 // Newton's error as a part of the step's own. CVODE's 0.1 now and then takes a first iterate that costs failures later.
 constexpr double newton_part = 0.07;
+constexpr double nothing_is_small = 1e-12;  // part of the step's own error that a residual unsolved for may be
 
 class Cvode final : public ImplicitIntegrator {
  public:
@@ -71,6 +72,7 @@ class Cvode final : public ImplicitIntegrator {
     const auto weigh = [](N_Vector y, N_Vector w, void* data) { return self(data).evaluate_weights(y, w); };
     require_success(CVodeWFtolerances(m, weigh), "CVodeWFtolerances");
     require_success(CVodeSetLinearSolver(m, embedded_.get(), nullptr), "CVodeSetLinearSolver");
+    if (options_.solves_always) require_success(CVodeSetEpsLin(m, nothing_is_small), "CVodeSetEpsLin");
     require_success(CVodeSetNonlinearSolver(m, iteration_.get()), "CVodeSetNonlinearSolver");
     iteration_.use_rule(options_.newton_accuracy < 1,
                         [this](N_Vector total, N_Vector last) { return judge_end(total, last); });

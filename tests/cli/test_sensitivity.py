@@ -127,6 +127,21 @@ class SensitivityTest(CommandLineTest):
         self.assert_derivatives(case, {"material.youngs_modulus": 1e6, "material.density_area": 0.2},
                                 "dynamics.max_step=2e-5", "dynamics.first_step=2e-5")
 
+    def test_a_motion_that_has_come_to_rest_has_those_of_the_equilibrium(self):
+        """The swing's are 20 times as large; at 8 1/s e^(−½·8·4) of them is left after 4 s, 2e-6 of the static ones."""
+        key = "material.youngs_modulus"
+        self.write("CASE.toml", STRIP)
+        for model in ("particle", "shell"):
+            setting = [f'sensitivity.parameters=["{key}"]', f"model={model}", 'material.damping.mass="8 1/s"']
+            with self.frames("static.h5", *setting, "analysis=relaxation", "relaxation.tolerance=1e-9") as f:
+                expected = f["sensitivity"][key]["position"][-1]
+            for integrator in ("cvode", "ida"):
+                with self.frames("rest.h5", *setting, "dynamics.duration=4", "dynamics.max_step=2e-3", "dynamics.rtol=1e-4",
+                                 f"dynamics.integrator={integrator}") as f:
+                    found = f["sensitivity"][key]["position"][-1]
+                with self.subTest(model=model, integrator=integrator):
+                    self.assertLess(np.abs(found - expected).max() / np.abs(expected).max(), AGREEMENT)
+
     def test_of_layers_that_come_to_touch(self):
         # a contact's force bends within the usual ± 0.1 %: errors of differences fall with the square of the change
         for integrator in ("cvode", "ida"):

@@ -25,6 +25,7 @@ struct IntegratorOptions {
   double newton_accuracy = 1;                      // factor on the error that Newton's iteration may leave
   double fixed_step = 0;                           // [s], Runge–Kutta only; diagonally implicit: 0 for error control
   double linear_tolerance = 3e-3;                  // of iterative linear solves, relative
+  bool solves_always = false;  // CVODE: also where a step's residual, unsolved, would do as its correction
 };
 
 struct IntegratorStatistics {
